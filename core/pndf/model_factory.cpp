@@ -1,0 +1,16 @@
+#include "core/pndf/model_factory.h"
+
+namespace glint {
+
+std::unique_ptr<PndfModel> make_model(PndfMethod method, const Surface& surface, double intrinsic_roughness,
+                                      const ModelSettings& settings) {
+  switch (method) {
+    case PndfMethod::exact:
+      return std::make_unique<ExactPndf>(surface, intrinsic_roughness, settings.exact);
+    case PndfMethod::binning:
+      return std::make_unique<BinnedPndf>(surface, intrinsic_roughness, settings.binned);
+  }
+  return nullptr;
+}
+
+}  // namespace glint

@@ -1,0 +1,23 @@
+#pragma once
+// The methods of this build, and how one is made.
+
+#include <memory>
+
+#include "core/pndf/binned_pndf.h"
+#include "core/pndf/exact_pndf.h"
+#include "core/pndf/pndf_model.h"
+
+namespace glint {
+
+enum class PndfMethod { exact, binning };
+
+/// Everything any method asks for beyond the surface and sigma_r.
+struct ModelSettings {
+  ExactSettings exact;
+  BinnedSettings binned;
+};
+
+std::unique_ptr<PndfModel> make_model(PndfMethod method, const Surface& surface, double intrinsic_roughness,
+                                      const ModelSettings& settings);
+
+}  // namespace glint

@@ -1,0 +1,30 @@
+#pragma once
+// A subcommand: adds its options to the parser and, if it was chosen, runs.
+
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "core/math/parallel.h"
+
+namespace glint::gui {
+
+class Command {
+ public:
+  Command() = default;
+  Command(const Command&) = delete;
+  Command& operator=(const Command&) = delete;
+  virtual ~Command() = default;
+
+  /// True if the words named this command.
+  [[nodiscard]] virtual bool chosen() const = 0;
+  /// Does the work; the exit status.
+  virtual int run(JobControl& control) = 0;
+};
+
+std::unique_ptr<Command> add_pndf_command(CLI::App& app);
+std::unique_ptr<Command> add_study_command(CLI::App& app);
+std::unique_ptr<Command> add_generate_command(CLI::App& app);
+std::unique_ptr<Command> add_presets_command(CLI::App& app);
+
+}  // namespace glint::gui

@@ -1,0 +1,245 @@
+// glintscope pndf: D_P(s) of one footprint, as images or at given normals.
+
+#include <chrono>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/document/names.h"
+#include "core/document/preset.h"
+#include "core/image/pndf_exr.h"
+#include "core/image/pndf_picture.h"
+#include "gui/command.h"
+#include "gui/console.h"
+#include "gui/document_options.h"
+#include "gui/queries.h"
+
+namespace glint::gui {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct MethodImage {
+  PndfMethod method;
+  PndfModelInfo info;
+  PndfImage image;
+  double milliseconds;
+};
+
+struct MethodValues {
+  PndfMethod method;
+  std::vector<double> values;
+};
+
+double milliseconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+}
+
+std::string name_of(PndfMethod method) {
+  return std::string(choice_name(method));
+}
+
+const Error k_cancelled = content_error("pndf", "cancelled");
+
+class PndfCommand final : public Command {
+ public:
+  explicit PndfCommand(CLI::App& app)
+      : app_(*app.add_subcommand("pndf", "D_P(s) of one footprint: an EXR or PNG of the chosen methods, or values.")),
+        options_(app_) {
+    app_.add_option("--queries", queries_, "Print D_P at these normals, one `s t` a line; - is standard input.")
+        ->option_text("FILE|-");
+    app_.add_option("-o,--output", output_, "Write the images: .exr (one channel a method) or .png (false colour).")
+        ->option_text("OUT.exr|OUT.png")
+        ->excludes("--queries");
+  }
+
+  [[nodiscard]] bool chosen() const override { return app_.parsed(); }
+
+  int run(JobControl& control) override {
+    const Status done = run_checked(control);
+    if (done) return 0;
+    if (!control.cancelled()) print_error(done.error());
+    return exit_status(done.error());
+  }
+
+ private:
+  Status run_checked(JobControl& control) {
+    Result<Document> document = options_.document();
+    if (!document) return document.error();
+    const Result<std::optional<int>> threads = options_.threads();
+    if (!threads) return threads.error();
+    std::optional<ThreadLimit> limit;
+    if (*threads) limit.emplace(**threads);
+    if (!output_.empty()) {
+      const Status writable = check_output(output_, options_.inputs(*document), {".exr", ".png"});
+      if (!writable) return writable;
+    }
+    Result<std::vector<glm::dvec2>> queries = std::vector<glm::dvec2>();
+    if (!queries_.empty()) queries = read_queries(queries_);
+    if (!queries) return queries.error();
+    Result<LoadedSurface> loaded = prepare_surface(options_, *document, control);
+    if (!loaded) return loaded.error();
+    return queries_.empty() ? make_images(*document, loaded->surface, control)
+                            : answer(*document, loaded->surface, *queries, control);
+  }
+
+  Status answer(const Document& document, const Surface& surface, const std::vector<glm::dvec2>& queries,
+                JobControl& control) {
+    std::size_t outside = 0;
+    for (const glm::dvec2& s : queries) outside += s.x * s.x + s.y * s.y > 1 ? 1 : 0;
+    if (outside > 0) {
+      print_message(options_.quiet(),
+                    fmt::format("{} of {} queries lie outside the unit disk; the density of the plane "
+                                "there is that of invalid normals",
+                                outside, queries.size()));
+    }
+    std::vector<MethodValues> answers;
+    {
+      const ProgressBar bar(control, options_.quiet());
+      for (const PndfMethod method : document.methods) {
+        const std::unique_ptr<PndfModel> model = make_document_model(document, method, surface);
+        MethodValues values{method, std::vector<double>(queries.size())};
+        if (!evaluate_all(*model, document.footprint, queries, values.values, control)) return k_cancelled;
+        answers.push_back(std::move(values));
+      }
+    }
+    if (options_.json()) {
+      Json results = Json::array();
+      for (const MethodValues& a : answers) results.push_back({{"method", name_of(a.method)}, {"values", a.values}});
+      fmt::print("{}\n", head(document, surface, std::move(results)).dump());
+      return success();
+    }
+    for (std::size_t k = 0; k < queries.size(); ++k) {
+      std::string line;
+      for (const MethodValues& a : answers) line += fmt::format("{}{:.9e}", line.empty() ? "" : " ", a.values[k]);
+      fmt::print("{}\n", line);
+    }
+    return success();
+  }
+
+  Status make_images(const Document& document, const Surface& surface, JobControl& control) {
+    const PndfGrid grid = document_grid(document, surface);
+    if (const auto fault = grid_fault(grid)) return request_error("--window", *fault);
+    std::vector<MethodImage> made;
+    {
+      const ProgressBar bar(control, options_.quiet());
+      for (const PndfMethod method : document.methods) {
+        const std::unique_ptr<PndfModel> model = make_document_model(document, method, surface);
+        const auto begin = std::chrono::steady_clock::now();
+        std::optional<PndfImage> image = model->image(document.footprint, grid, control);
+        if (!image) return k_cancelled;
+        made.push_back({method, model->info(), std::move(*image), milliseconds_since(begin)});
+      }
+    }
+    say_widening(document, made.front().image);
+    if (const Status written = write(document, made); !written) return written;
+    if (options_.json()) {
+      fmt::print("{}\n", head(document, surface, image_results(made)).dump());
+    } else {
+      print_table(made);
+    }
+    return success();
+  }
+
+  void say_widening(const Document& document, const PndfImage& image) const {
+    if (image.widening.x == 0 && image.widening.y == 0) return;
+    print_message(options_.quiet(),
+                  fmt::format("sigma_r {} is below 0.6 of the cell pitch: the exact image holds cell means, its "
+                              "sigma_r^2 widened by {:.3g}, {:.3g}",
+                              document.intrinsic_roughness, image.widening.x, image.widening.y));
+  }
+
+  Status write(const Document& document, const std::vector<MethodImage>& made) const {
+    if (output_.empty()) return success();
+    Status written = success();
+    if (output_.ends_with(".exr")) {
+      std::vector<NamedPndfImage> named;
+      for (const MethodImage& m : made) named.push_back({name_of(m.method), &m.image});
+      written = write_pndf_exr(output_, named, recipe_of(document));
+    } else {
+      written = picture(document, made).write_png(output_);
+    }
+    if (written) print_message(options_.quiet(), "wrote " + output_);
+    return written;
+  }
+
+  // Times stay out of the picture: equal inputs give equal bytes.
+  [[nodiscard]] Canvas picture(const Document& document, const std::vector<MethodImage>& made) const {
+    std::vector<PictureEntry> entries;
+    for (const MethodImage& m : made) {
+      std::string detail = std::string(choice_name(m.info.surface)) + " surface";
+      std::string caption = fmt::format("integral {:.5f}", integral(m.image));
+      if (m.method == PndfMethod::binning) {
+        detail = fmt::format("{:.3g} samples", static_cast<double>(document.binning_samples));
+        caption += fmt::format("   own noise {:.2g} %", 100 * m.image.error.relative_l1);
+      }
+      entries.push_back({name_of(m.method), std::move(detail), std::move(caption), &m.image});
+    }
+    const SymmetricMatrix2& c = document.footprint.covariance;
+    std::string footer =
+        fmt::format("{}   footprint at {:.6g}, {:.6g} texels, covariance {:.4g}, {:.4g}, {:.4g}   sigma_r {:.4g}",
+                    map_name(document), document.footprint.center.x, document.footprint.center.y, c.xx, c.xy, c.yy,
+                    document.intrinsic_roughness);
+    const glm::dvec2 widening = made.front().image.widening;
+    if (widening.x > 0 || widening.y > 0) footer += fmt::format(", its square widened by {:.2g}", widening.x);
+    return draw_pndf_picture(entries, footer);
+  }
+
+  [[nodiscard]] static Json image_results(const std::vector<MethodImage>& made) {
+    Json results = Json::array();
+    for (const MethodImage& m : made) {
+      const glm::dvec2 mean = mean_normal(m.image);
+      Json result = {{"method", name_of(m.method)},   {"surface", choice_name(m.info.surface)},
+                     {"integral", integral(m.image)}, {"mean", {mean.x, mean.y}},
+                     {"image_ms", m.milliseconds},    {"widening", {m.image.widening.x, m.image.widening.y}}};
+      if (m.method == PndfMethod::binning) {
+        result["own_noise"] = m.image.error.relative_l1;
+        result["invalid_samples"] = m.image.invalid_samples;
+        result["outside_samples"] = m.image.outside_samples;
+      }
+      const PndfGrid& g = m.image.grid;
+      result["window"] = {g.s_min, g.s_max, g.t_min, g.t_max};
+      result["image_size"] = g.columns;
+      results.push_back(std::move(result));
+    }
+    return results;
+  }
+
+  [[nodiscard]] static Json head(const Document& document, const Surface& surface, Json results) {
+    const SymmetricMatrix2& c = document.footprint.covariance;
+    return {{"map", map_name(document)},
+            {"map_size", {surface.map().width(), surface.map().height()}},
+            {"surface", choice_name(surface.interpolation())},
+            {"sigma_r", document.intrinsic_roughness},
+            {"footprint", {document.footprint.center.x, document.footprint.center.y, c.xx, c.xy, c.yy}},
+            {"results", std::move(results)}};
+  }
+
+  static void print_table(const std::vector<MethodImage>& made) {
+    fmt::print("{:<10} {:<9} {:>10} {:>10} {:>10} {:>11} {:>11}\n", "method", "surface", "integral", "mean s", "mean t",
+               "own noise", "time");
+    for (const MethodImage& m : made) {
+      const glm::dvec2 mean = mean_normal(m.image);
+      const std::string noise = m.image.error.kind == PndfError::Kind::estimated
+                                    ? fmt::format("{:.2g} %", 100 * m.image.error.relative_l1)
+                                    : "none";
+      fmt::print("{:<10} {:<9} {:>10.6f} {:>10.6f} {:>10.6f} {:>11} {:>8.1f} ms\n", name_of(m.method),
+                 choice_name(m.info.surface), integral(m.image), mean.x, mean.y, noise, m.milliseconds);
+    }
+  }
+
+  CLI::App& app_;
+  DocumentOptions options_;
+  std::string queries_;
+  std::string output_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> add_pndf_command(CLI::App& app) {
+  return std::make_unique<PndfCommand>(app);
+}
+
+}  // namespace glint::gui

@@ -1,0 +1,18 @@
+# Installs into an empty prefix, then looks for paths of this checkout in what others will include.
+file(REMOVE_RECURSE ${playground})
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${binary_directory} --prefix ${prefix} COMMAND_ERROR_IS_FATAL ANY)
+
+file(GLOB_RECURSE texts ${prefix}/*.cmake ${prefix}/*.h)
+list(LENGTH texts count)
+if(count LESS 10)
+  message(FATAL_ERROR "only ${count} headers and package files were installed")
+endif()
+foreach(text IN LISTS texts)
+  file(READ ${text} content)
+  foreach(path IN ITEMS ${source_directory} ${binary_directory} glint_warnings)
+    string(FIND "${content}" "${path}" found)
+    if(NOT found EQUAL -1)
+      message(SEND_ERROR "${text} mentions ${path}")
+    endif()
+  endforeach()
+endforeach()
