@@ -82,11 +82,11 @@ class GenerateCommand final : public Command {
   Status generate(const Kind& kind, JobControl& control) const {
     Result<Document> document = document_for(kind);
     if (!document) return document.error();
-    if (const Status writable = check_output(output_, {}, {".exr", ".png"}); !writable) return writable;
+    if (Status writable = check_output(output_, {}, {".exr", ".png"}); !writable) return writable;
     const ProgressBar bar(control, quiet_);
     const Result<LoadedSurface> made = load_surface(document->surface, control);
     if (!made) return made.error();
-    const Status written = write_normal_map(output_, made->surface.map());
+    Status written = write_normal_map(output_, made->surface.map());
     if (written) print_message(quiet_, "wrote " + output_);
     return written;
   }

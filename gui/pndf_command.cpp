@@ -41,6 +41,15 @@ std::string name_of(PndfMethod method) {
   return std::string(choice_name(method));
 }
 
+// 1500000 is "1.5 M".
+std::string short_count(std::uint64_t count) {
+  const auto value = static_cast<double>(count);
+  if (count >= 1'000'000'000) return fmt::format("{:.4g} G", value / 1e9);
+  if (count >= 1'000'000) return fmt::format("{:.4g} M", value / 1e6);
+  if (count >= 1'000) return fmt::format("{:.4g} k", value / 1e3);
+  return fmt::format("{}", count);
+}
+
 const Error k_cancelled = content_error("pndf", "cancelled");
 
 class PndfCommand final : public Command {
@@ -73,7 +82,7 @@ class PndfCommand final : public Command {
     std::optional<ThreadLimit> limit;
     if (*threads) limit.emplace(**threads);
     if (!output_.empty()) {
-      const Status writable = check_output(output_, options_.inputs(*document), {".exr", ".png"});
+      Status writable = check_output(output_, options_.inputs(*document), {".exr", ".png"});
       if (!writable) return writable;
     }
     Result<std::vector<glm::dvec2>> queries = std::vector<glm::dvec2>();
@@ -134,7 +143,7 @@ class PndfCommand final : public Command {
       }
     }
     say_widening(document, made.front().image);
-    if (const Status written = write(document, made); !written) return written;
+    if (Status written = write(document, made); !written) return written;
     if (options_.json()) {
       fmt::print("{}\n", head(document, surface, image_results(made)).dump());
     } else {
@@ -156,6 +165,7 @@ class PndfCommand final : public Command {
     Status written = success();
     if (output_.ends_with(".exr")) {
       std::vector<NamedPndfImage> named;
+      named.reserve(made.size());
       for (const MethodImage& m : made) named.push_back({name_of(m.method), &m.image});
       written = write_pndf_exr(output_, named, recipe_of(document));
     } else {
@@ -172,7 +182,7 @@ class PndfCommand final : public Command {
       std::string detail = std::string(choice_name(m.info.surface)) + " surface";
       std::string caption = fmt::format("integral {:.5f}", integral(m.image));
       if (m.method == PndfMethod::binning) {
-        detail = fmt::format("{:.3g} samples", static_cast<double>(document.binning_samples));
+        detail = fmt::format("{} samples", short_count(document.binning_samples));
         caption += fmt::format("   own noise {:.2g} %", 100 * m.image.error.relative_l1);
       }
       entries.push_back({name_of(m.method), std::move(detail), std::move(caption), &m.image});

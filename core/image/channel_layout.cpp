@@ -55,8 +55,8 @@ class ChannelSurvey {
     statistics_.greatest = statistics_.finite == 0 ? v : std::max(statistics_.greatest, v);
     ++statistics_.finite;
     const double unit = std::clamp(v, 0.0, 1.0);
-    ++histogram_[static_cast<std::size_t>(unit * (k_bins - 1) + 0.5)];
-    if (!seen_.empty()) seen_[static_cast<std::size_t>(unit * (k_levels - 1) + 0.5)] = true;
+    ++histogram_[static_cast<std::size_t>(std::lround(unit * (k_bins - 1)))];
+    if (!seen_.empty()) seen_[static_cast<std::size_t>(std::lround(unit * (k_levels - 1)))] = true;
   }
 
   [[nodiscard]] const ChannelStatistics& statistics() const { return statistics_; }
@@ -174,6 +174,7 @@ std::vector<int> ChannelChoice::all() const {
 
 ChannelChoice choose_channels(const ImageInfo& info) {
   std::vector<std::string> lower_names;
+  lower_names.reserve(info.channels.size());
   for (const std::string& name : info.channels) lower_names.push_back(lower_case(name));
   ChannelChoice choice;
   if (info.alpha_channel >= 0) {

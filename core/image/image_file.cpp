@@ -121,7 +121,7 @@ Result<InputPointer> open_input(const std::filesystem::path& path, ImageFormat f
   });
 }
 
-SampleKind sample_kind(OIIO::TypeDesc type) {
+SampleKind sample_kind(const OIIO::TypeDesc& type) {
   switch (type.basetype) {
     case OIIO::TypeDesc::HALF:
     case OIIO::TypeDesc::FLOAT:

@@ -86,7 +86,8 @@ glm::dvec2 NormalDecoder::from_vector(const float* samples, glm::ivec2 at) {
   counts_.sum += unit;
   ++counts_.vectors;
   for (int axis = 0; axis < 3; ++axis) {
-    if (std::abs(unit[axis]) > k_leaning) ++counts_.leaning[static_cast<std::size_t>(2 * axis + (unit[axis] < 0))];
+    if (std::abs(unit[axis]) > k_leaning)
+      ++counts_.leaning[2 * static_cast<std::size_t>(axis) + (unit[axis] < 0 ? 1 : 0)];
   }
   if (rules_.measure_transfer) measure_transfer(samples);
   return {unit.x, unit.y};

@@ -16,7 +16,7 @@ constexpr DisplayColor k_text{0xea, 0xea, 0xea};
 constexpr DisplayColor k_text_2{0xb4, 0xb4, 0xb4};
 constexpr DisplayColor k_hint{0x96, 0x96, 0x96};
 
-constexpr int k_side = 384;  // wanted size of a picture
+constexpr int k_side = 512;  // wanted size of a picture
 constexpr int k_margin = 24;
 constexpr int k_gap = 56;
 constexpr int k_header = 52;
@@ -92,9 +92,9 @@ void draw_bar(Canvas& canvas, int x, int y, int height, const LogScale& scale) {
   canvas.outline(x, y, k_bar, height, k_border);
   canvas.text(x, y - 8, "D", 13, k_text);
   canvas.text(x + 14, y - 8, "per area", 12, k_hint);
-  const double decades = std::log10(scale.hi / scale.lo);
-  for (int decade = 0; decade <= static_cast<int>(decades + 0.5); ++decade) {
-    const int at = y + static_cast<int>(std::lround(height * decade / decades));
+  const auto decades = static_cast<int>(std::lround(std::log10(scale.hi / scale.lo)));
+  for (int decade = 0; decade <= decades; ++decade) {
+    const int at = y + height * decade / decades;
     canvas.fill(x + k_bar + 1, at, 4, 1, k_text_2);
     canvas.text(x + k_bar + 9, at + 5, fmt::format("{:.3g}", scale.hi * std::pow(10, -decade)), 12, k_text_2,
                 Canvas::Align::left, Canvas::Face::numbers);

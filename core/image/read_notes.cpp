@@ -30,6 +30,7 @@ std::string join(const std::vector<std::string>& names, std::string_view between
 
 std::vector<std::string> names_of(const ImageInfo& info, const std::vector<int>& channels) {
   std::vector<std::string> names;
+  names.reserve(channels.size());
   for (const int channel : channels) names.push_back(info.channels[static_cast<std::size_t>(channel)]);
   return names;
 }

@@ -22,8 +22,8 @@ struct WhitenedTriangle {
 /// to zero. Never negative or NaN.
 double gaussian_over_simplex(const WhitenedTriangle& triangle, double cut = 40);
 
-/// The same with a weight inside the integral: a function of the simplex coordinates that is smooth over the triangle
-/// (at least three Gauss points are spent on it in each direction). Slower: both directions are done by quadrature.
+/// The same with a weight inside the integral: a function of the simplex coordinates so smooth that a polynomial of
+/// degree 4 stands for it along any line of the triangle. Slower.
 double weighted_gaussian_over_simplex(const WhitenedTriangle& triangle, double cut,
                                       const std::function<double(glm::dvec2)>& weight);
 

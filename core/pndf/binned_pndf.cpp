@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint64_t k_block = 1U << 15U;  // draws of one random stream
 
 struct Histogram {
-  std::vector<std::atomic<std::uint32_t>> counts;
+  std::vector<std::atomic<std::uint64_t>> counts;
   std::atomic<std::size_t> invalid{0};
   std::atomic<std::size_t> outside{0};
 
@@ -121,8 +121,8 @@ std::optional<PndfImage> BinnedPndf::image(const Footprint& footprint, const Pnd
   image.density.reserve(grid.cells());
   image.standard_error.reserve(grid.cells());
   const double scale = 1 / (static_cast<double>(settings_.samples) * grid.cell_area());
-  for (const std::atomic<std::uint32_t>& cell : histogram->counts) {
-    const double hits = cell.load(std::memory_order_relaxed);
+  for (const std::atomic<std::uint64_t>& cell : histogram->counts) {
+    const auto hits = static_cast<double>(cell.load(std::memory_order_relaxed));
     image.density.push_back(hits * scale);
     image.standard_error.push_back(std::sqrt(std::max(hits, 1.0)) * scale);  // an empty cell is known to one count
   }

@@ -14,15 +14,17 @@ namespace glint {
 namespace {
 
 constexpr double k_first_cut = 8.5;
+constexpr double k_first_folded_cut = 7.5;
 constexpr double k_widest_cut = 40;            // exp(-800): beyond it a double holds nothing
 constexpr double k_widest_footprint_cut = 12;  // of the footprint alone, when the query is far out in the tail
 constexpr double k_truncation = 1e-9;          // largest neglected share of a value
 
 // What a joint cut neglects of D_P(s) is at most G_r(0) exp(-R^2 / 2) (1 + R^2 / 2), whatever the surface is: in the
 // plane of whitened offsets, exp(-d_s^2 / 2) <= exp(-max(0, R^2 - d_u^2) / 2) outside the cut.
-double neglected(double cut, double roughness_peak) {
+// A folded footprint is not cut, and the bound is that of the roughness alone.
+double neglected(double cut, double roughness_peak, bool folded) {
   const double half = 0.5 * cut * cut;
-  return roughness_peak * std::exp(-half) * (1 + half);
+  return roughness_peak * std::exp(-half) * (folded ? 1 : 1 + half);
 }
 
 class ExactFootprint final : public FootprintPndf {
@@ -32,7 +34,7 @@ class ExactFootprint final : public FootprintPndf {
         footprint_{reduced_center(model.cells().surface().map(), footprint.center), footprint.covariance},
         window_(footprint_.covariance) {
     const NormalMap& map = model.cells().surface().map();
-    if (FoldedFootprint::pays(map, footprint_.covariance, k_first_cut)) {
+    if (FoldedFootprint::pays(map, footprint_.covariance, k_first_folded_cut)) {
       folded_ = std::make_unique<FoldedFootprint>(map, footprint_, model.cells().border());
     }
   }
@@ -52,9 +54,9 @@ class ExactFootprint final : public FootprintPndf {
     const double roughness = model_.intrinsic_roughness();
     const double peak = 1 / (2 * std::numbers::pi * roughness * roughness);
     // Widen the cut until what it neglects does not count; far out in the tail that takes several steps.
-    double cut = k_first_cut;
+    double cut = folded_ ? k_first_folded_cut : k_first_cut;
     double density = folded_ ? folded_sum(s, cut) : plain_sum(s, cut);
-    while (cut < k_widest_cut && neglected(cut, peak) > k_truncation * density) {
+    while (cut < k_widest_cut && neglected(cut, peak, folded_ != nullptr) > k_truncation * density) {
       cut = density > 0 ? std::max(cut + 0.5, cut_for(k_truncation * density / peak)) : cut * 1.5;
       cut = std::min(cut, k_widest_cut);
       density = folded_ ? folded_sum(s, cut) : plain_sum(s, cut);

@@ -32,7 +32,7 @@ class FoldedFootprint {
  public:
   /// True where folding is both cheaper than visiting the periods one by one and accurate: the map repeats, the ellipse
   /// of `cut` deviations covers it four times over, and its narrowest deviation is at least 12 texels (then the
-  /// polynomial's error is below 1e-11 of F's largest value).
+  /// polynomial's error is below 2e-11 of F's largest value).
   static bool pays(const NormalMap& map, const SymmetricMatrix2& covariance, double cut);
 
   /// F at the corners of all cells, from its Fourier series (Poisson's summation): terms below exp(-45) are dropped.

@@ -6,12 +6,13 @@ namespace glint {
 
 bool evaluate_all(const PndfModel& model, const Footprint& footprint, std::span<const glm::dvec2> s,
                   std::span<double> density, JobControl& control) {
-  constexpr std::size_t k_block = 16;
+  // Few queries may be slow ones: then each is a block of its own.
+  const std::size_t block_size = std::clamp<std::size_t>(s.size() / 256, 1, 16);
   PndfWorkspace workspace;
   const FootprintPndf& prepared = model.at(footprint, workspace);
-  return parallel_blocks((s.size() + k_block - 1) / k_block, control, [&](std::size_t block) {
-    const std::size_t end = std::min((block + 1) * k_block, s.size());
-    for (std::size_t k = block * k_block; k < end && !control.cancelled(); ++k) {
+  return parallel_blocks((s.size() + block_size - 1) / block_size, control, [&](std::size_t block) {
+    const std::size_t end = std::min((block + 1) * block_size, s.size());
+    for (std::size_t k = block * block_size; k < end && !control.cancelled(); ++k) {
       prepared.evaluate(s.subspan(k, 1), density.subspan(k, 1));
     }
   });

@@ -159,30 +159,35 @@ void SurfaceCells::smooth_vertices(CellIndex cell, CellVertices& out) const {
                                                             cell.j - 1 + static_cast<std::int64_t>(row)));
     }
   }
-  const auto combine = [&](const CubicWeights& wx, const CubicWeights& wy) {
-    glm::dvec2 sum{0, 0};
+  using Lines = std::array<glm::dvec2, 4>;  // one value a row of texels
+  const auto along_u = [&](const CubicWeights& w) {
+    Lines lines{};
     for (std::size_t row = 0; row < 4; ++row) {
-      const auto& t = texels[row];
-      sum += wy[row] * (wx[0] * t[0] + wx[1] * t[1] + wx[2] * t[2] + wx[3] * t[3]);
+      const Lines& t = texels[row];
+      lines[row] = w[0] * t[0] + w[1] * t[1] + w[2] * t[2] + w[3] * t[3];
     }
-    return sum;
+    return lines;
+  };
+  const auto along_v = [](const CubicWeights& w, const Lines& l) {
+    return w[0] * l[0] + w[1] * l[1] + w[2] * l[2] + w[3] * l[3];
   };
   const double h = 1.0 / subdivision_;
-  std::size_t vertex = 0;
-  for (int b = 0; b <= out.rows; ++b) {
-    const double y = static_cast<double>(b) / out.rows;
-    for (int a = 0; a <= out.columns; ++a) {
-      const double x = static_cast<double>(a) / out.columns;
-      const CubicWeights wx = catmull_rom(x);
+  const auto stride = static_cast<std::size_t>(out.columns) + 1;
+  for (int a = 0; a <= out.columns; ++a) {
+    const double x = static_cast<double>(a) / out.columns;
+    const Lines value = along_u(catmull_rom(x));
+    const Lines slope = vertex_shift_ ? along_u(catmull_rom_derivative(x)) : Lines{};
+    const Lines bend = vertex_shift_ ? along_u(catmull_rom_second_derivative(x)) : Lines{};
+    for (int b = 0; b <= out.rows; ++b) {
+      const double y = static_cast<double>(b) / out.rows;
       const CubicWeights wy = catmull_rom(y);
-      glm::dvec2 normal = combine(wx, wy);
+      glm::dvec2 normal = along_v(wy, value);
       if (vertex_shift_) {
-        const glm::dvec2 curvature = combine(catmull_rom_second_derivative(x), wy) +
-                                     combine(wx, catmull_rom_second_derivative(y)) -
-                                     combine(catmull_rom_derivative(x), catmull_rom_derivative(y));
+        const glm::dvec2 curvature = along_v(wy, bend) + along_v(catmull_rom_second_derivative(y), value) -
+                                     along_v(catmull_rom_derivative(y), slope);
         normal -= h * h / 12 * curvature;
       }
-      out.normals[vertex++] = normal;
+      out.normals[static_cast<std::size_t>(b) * stride + static_cast<std::size_t>(a)] = normal;
     }
   }
 }

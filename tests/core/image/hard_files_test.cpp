@@ -95,7 +95,7 @@ constexpr std::array k_refused{
     RefusedFile{"one_bit.png", "--height SCALE"},
     RefusedFile{"text_not_image.png", "none of the image formats"},
     RefusedFile{"truncated.exr", "nexpected end of file"},
-    RefusedFile{"truncated.png", "hit end of file"},
+    RefusedFile{"truncated.png", "cut short"},
     RefusedFile{"truncated_in_header.png", "header is damaged or cut short"},
     RefusedFile{"zero_width.png", "0 x 512 is zero"},
 };

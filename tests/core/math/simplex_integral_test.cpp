@@ -43,7 +43,7 @@ Real slow_weighted(const WhitenedTriangle& t, int least_points, const Weight& we
   const double nearest = nearest_distance(t);
   // Nothing beyond matters: exp(-40) of the value at the nearest point.
   const auto cut = static_cast<Real>(std::sqrt(nearest * nearest + 80) + 1e-6);
-  return test::slow_integral<Real>({vertex(w[0], 0, 0), vertex(w[1], 1, 0), vertex(w[2], 0, 1)}, cut, least_points,
+  return test::slow_integral<Real>({vertex(w[0], 0, 0), vertex(w[1], 1, 0), vertex(w[2], 0, 1)}, cut, cut, least_points,
                                    weight);
 }
 

@@ -85,8 +85,9 @@ Real slow_distance(const std::array<Real, 4>& a, const std::array<Real, 4>& b) {
   return std::sqrt(sum);
 }
 
-// Points per direction for a triangle with whitened edges up to `edge`, nowhere farther than `far` from the origin; 0:
-// split it. By the error of Gauss's rule on exp(-g x): (n!)^4 g^2n / ((2n + 1) (2n)!^3) < 1e-11.
+// Points per direction for a triangle with whitened edges up to `edge`, nowhere farther than `far` from the origin
+// (or where what is farther does not count); 0: split it. By the error of Gauss's rule on exp(-g x): (n!)^4 g^2n / ((2n
+// + 1) (2n)!^3) < 1e-11.
 template <class Real>
 int slow_points(Real edge, Real far) {
   const Real gradient = edge * far;
@@ -98,9 +99,10 @@ int slow_points(Real edge, Real far) {
 }
 
 /// The integral over the triangle, in simplex coordinates, of weight(x) exp(-|q|^2 / 2). What lies beyond `cut` is left
-/// out. A weight that is not constant needs its own least number of points per direction.
+/// out, and what lies beyond `relevant` need not be accurate. A weight that is not constant needs its own least number
+/// of points per direction.
 template <class Real, class Weight>
-Real slow_integral(const SlowTriangle<Real>& t, Real cut, int least_points, const Weight& weight) {
+Real slow_integral(const SlowTriangle<Real>& t, Real cut, Real relevant, int least_points, const Weight& weight) {
   std::array<Real, 4> centroid{};
   for (const auto& vertex : t) {
     for (std::size_t k = 0; k < 4; ++k) centroid[k] += vertex.q[k] / 3;
@@ -114,7 +116,7 @@ Real slow_integral(const SlowTriangle<Real>& t, Real cut, int least_points, cons
     radius = std::max(radius, slow_distance(t[k].q, centroid));
   }
   if (slow_distance(centroid, {}) - radius > cut) return 0;
-  const int points = slow_points(edge, far);
+  const int points = slow_points(edge, std::min(far, relevant));
   if (points == 0) {
     SlowTriangle<Real> middle;  // middle[k] halves the edge opposite vertex k
     for (std::size_t k = 0; k < 3; ++k) {
@@ -123,10 +125,10 @@ Real slow_integral(const SlowTriangle<Real>& t, Real cut, int least_points, cons
       for (std::size_t m = 0; m < 4; ++m) middle[k].q[m] = (a.q[m] + b.q[m]) / 2;
       for (std::size_t m = 0; m < 2; ++m) middle[k].x[m] = (a.x[m] + b.x[m]) / 2;
     }
-    return slow_integral<Real>({t[0], middle[2], middle[1]}, cut, least_points, weight) +
-           slow_integral<Real>({middle[2], t[1], middle[0]}, cut, least_points, weight) +
-           slow_integral<Real>({middle[1], middle[0], t[2]}, cut, least_points, weight) +
-           slow_integral<Real>(middle, cut, least_points, weight);
+    return slow_integral<Real>({t[0], middle[2], middle[1]}, cut, relevant, least_points, weight) +
+           slow_integral<Real>({middle[2], t[1], middle[0]}, cut, relevant, least_points, weight) +
+           slow_integral<Real>({middle[1], middle[0], t[2]}, cut, relevant, least_points, weight) +
+           slow_integral<Real>(middle, cut, relevant, least_points, weight);
   }
   const auto& rule = slow_rule<Real>(std::max(points, least_points));
   Real sum = 0;
