@@ -10,7 +10,7 @@
 namespace glint {
 namespace {
 
-constexpr double k_least_deviation = 12;  // texels
+constexpr double k_least_deviation = 32;  // texels
 constexpr double k_least_exponent = 45;
 constexpr std::size_t k_samples = 10;  // corners per axis from which a cell's polynomial is made: -4 … 5
 constexpr std::int64_t k_samples_before = 4;

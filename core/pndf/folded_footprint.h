@@ -31,7 +31,7 @@ class CellPolynomial {
 class FoldedFootprint {
  public:
   /// True where folding is both cheaper than visiting the periods one by one and accurate: the map repeats, the ellipse
-  /// of `cut` deviations covers it four times over, and its narrowest deviation is at least 12 texels (then the
+  /// of `cut` deviations covers it four times over, and its narrowest deviation is at least 32 texels (then the
   /// polynomial's error is below 2e-11 of F's largest value).
   static bool pays(const NormalMap& map, const SymmetricMatrix2& covariance, double cut);
 

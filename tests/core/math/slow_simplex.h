@@ -93,8 +93,8 @@ int slow_points(Real edge, Real far) {
   const Real gradient = edge * far;
   if (edge <= Real(0.1) && gradient <= Real(0.1)) return 3;
   if (edge <= Real(0.25) && gradient <= Real(0.5)) return 4;
-  if (edge <= Real(0.5) && gradient <= 2) return 6;
-  if (edge <= Real(0.8) && gradient <= 5) return 8;
+  if (edge <= Real(0.8) && gradient <= 2) return 6;
+  if (edge <= Real(1.2) && gradient <= 5) return 8;
   return edge <= Real(1.2) && gradient <= 8 ? 12 : 0;
 }
 

@@ -1,6 +1,7 @@
 // Whole P-NDF images of exact evaluation, held against its single normals.
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <thread>
@@ -157,12 +158,12 @@ TEST(ExactImage, LargerThanOneBandHasNoSeam) {
 
 TEST(ExactImage, OfAWideFootprintIsThatOfTheTiledMapUnfolded) {
   const MapPointer map = test::wavy_map(20, 22, Wrap::repeat);
-  const MapPointer many = test::tiled(*map, 5, 5);
-  const Footprint footprint{{13.7, 11.2}, {280, 60, 250}};
+  const MapPointer many = test::tiled(*map, 12, 12);
+  const Footprint footprint{{13.7, 11.2}, {2100, 450, 1800}};
   ASSERT_TRUE(FoldedFootprint::pays(*map, footprint.covariance, 6));
   ASSERT_FALSE(FoldedFootprint::pays(*many, footprint.covariance, 6));
   for (const double roughness : {1e-3, 0.03}) {  // widened; resolved
-    const PndfGrid grid{-0.4, 0.4, -0.4, 0.4, 40, 40};
+    const PndfGrid grid{-0.4, 0.4, -0.4, 0.4, 20, 20};
     const PndfImage folded = image_of(ExactPndf(Surface(map, Interpolation::linear), roughness), footprint, grid);
     const PndfImage unfolded = image_of(ExactPndf(Surface(many, Interpolation::linear), roughness), footprint, grid);
     EXPECT_LE(test::relative_l1(folded.density, unfolded.density), k_bound) << roughness;
@@ -171,7 +172,7 @@ TEST(ExactImage, OfAWideFootprintIsThatOfTheTiledMapUnfolded) {
 
 TEST(ExactImage, FoldedWithLargeTrianglesAgreesWithSingleNormals) {
   const ExactPndf model(Surface(test::wavy_map(20, 22, Wrap::repeat), Interpolation::linear), 2e-4);
-  const Footprint footprint{{13.7, 11.2}, {280, 60, 250}};
+  const Footprint footprint{{13.7, 11.2}, {2100, 450, 1800}};
   const glm::dvec2 at = model.cells().surface().normal(footprint.center);
   const PndfGrid grid{at.x - 0.0012, at.x + 0.0012, at.y - 0.0012, at.y + 0.0012, 8, 8};
   const PndfImage image = image_of(model, footprint, grid);
@@ -201,7 +202,7 @@ TEST(ExactImage, IsNothingOnceCancelled) {
   EXPECT_FALSE(model.image(footprint, grid, before));
   JobControl meanwhile;
   std::thread other([&] {
-    while (meanwhile.progress() == 0) std::this_thread::yield();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));  // of a job of many seconds
     meanwhile.cancel();
   });
   EXPECT_FALSE(model.image(footprint, grid, meanwhile));

@@ -63,14 +63,14 @@ TEST(ExactPndf, OfAConstantMapIsTheRoughnessForEveryFootprint) {
   for (const Wrap wrap : {Wrap::repeat, Wrap::clamp}) {
     const MapPointer map = test::constant_map(normal, wrap);
     for (const Interpolation interpolation : k_surfaces) {
-      for (const double roughness : {1e-5, 0.005, 0.3}) {
+      for (const double roughness : {1e-5, 0.3}) {
         const ExactPndf model(Surface(map, interpolation), roughness);
         for (const Footprint& footprint :
              {isotropic_footprint({3.2, 1}, 1e-6), isotropic_footprint({3.2, 1}, 0.3),
               isotropic_footprint({7.99, 0}, 5), test::turned_footprint({3.2, 9}, 20, 0.02, k_quarter),
-              isotropic_footprint({-3.2, 1}, 30)}) {
+              isotropic_footprint({-3.2, 1}, 35)}) {
           EXPECT_EQ(FoldedFootprint::pays(*map, footprint.covariance, 8.5),
-                    wrap == Wrap::repeat && footprint.covariance.xx == 900);
+                    wrap == Wrap::repeat && footprint.covariance.xx == 1225);
           for (const glm::dvec2 s : over_lobe(normal, isotropic(roughness))) {
             const double expected = test::slow_normal_density(s - normal, isotropic(roughness));
             EXPECT_NEAR(density_of(model, footprint, s) / expected, 1, 1e-10)
@@ -337,8 +337,8 @@ TEST(ExactPndf, CountsAQueryOnASharedVertexOrEdgeOnce) {
 TEST(ExactPndf, OfAWideFootprintIsThatOfTheTiledMapUnfolded) {
   for (const Interpolation interpolation : k_surfaces) {
     const MapPointer map = test::wavy_map(40, 44, Wrap::repeat);
-    const MapPointer many = test::tiled(*map, 3, 3);
-    const Footprint footprint{{13.7, 31.2}, {280, 60, 250}};
+    const MapPointer many = test::tiled(*map, 9, 9);
+    const Footprint footprint{{13.7, 31.2}, {2100, 450, 1800}};
     ASSERT_TRUE(FoldedFootprint::pays(*map, footprint.covariance, 8.5));
     ASSERT_FALSE(FoldedFootprint::pays(*many, footprint.covariance, 8.5));
     for (const double roughness : {1e-4, 0.01, 0.3}) {
@@ -347,7 +347,7 @@ TEST(ExactPndf, OfAWideFootprintIsThatOfTheTiledMapUnfolded) {
       PndfWorkspace workspace;
       const FootprintPndf& pndf = folded.at(footprint, workspace);
       RandomStream random(8, 0);
-      for (int k = 0; k < 4; ++k) {
+      for (int k = 0; k < 2; ++k) {
         const glm::dvec2 s = pndf.sample(random);
         EXPECT_NEAR(pndf.pdf(s) / density_of(unfolded, footprint, s), 1, 5e-9)
             << roughness << " surface " << static_cast<int>(interpolation);
@@ -360,7 +360,7 @@ TEST(ExactPndf, ShiftedVerticesTakeTheBiasFromSecondToFourthOrder) {
   const Surface surface(test::wavy_map(8, 8, Wrap::repeat, 0.15), Interpolation::smooth);
   const Footprint footprint = isotropic_footprint({4.2, 3.6}, 1);
   constexpr double roughness = 0.03;
-  const PndfGrid grid{-0.3, 0.3, -0.3, 0.3, 9, 9};
+  const PndfGrid grid{-0.25, 0.25, -0.25, 0.25, 6, 6};
   std::vector<glm::dvec2> s;
   std::vector<double> expected;
   for (int row = 0; row < grid.rows; ++row) {

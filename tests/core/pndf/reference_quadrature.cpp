@@ -9,8 +9,8 @@
 namespace glint::test {
 namespace {
 
-constexpr double k_cut = 7.5;     // exp(-28)
-constexpr double k_relevant = 5;  // beyond it six digits are enough
+constexpr double k_cut = 7.5;       // exp(-28)
+constexpr double k_relevant = 2.5;  // beyond it eight digits are enough
 
 // Lower triangular whitening, unlike core's: x' = x / a, y' = (y - x b) / c.
 std::array<long double, 3> slow_whitening(const SymmetricMatrix2& c) {
