@@ -1,11 +1,11 @@
 #include "gui/command_line.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
+#include <new>
+#include <sstream>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include "gui/command.h"
 #include "gui/console.h"
@@ -15,14 +15,24 @@ namespace {
 
 // CLI11's own messages and exit codes, as ours: one line, status 2.
 int report_parse_error(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error);  // --help, --version
-  print_error(request_error("", error.what()));
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {  // --help, --version
+    std::ostringstream text;
+    app.exit(error, text, text);
+    write_result(text.str());
+    return 0;
+  }
+  const std::vector<std::string> rest = app.remaining(true);
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !rest.empty()) {
+    print_error(request_error(rest.front(), "is no option or command here; --help lists them"));
+  } else if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr) {
+    print_error(request_error("", "a flag takes no value, and an option is given once"));
+  } else {
+    print_error(request_error("", error.what()));
+  }
   return k_request_status;
 }
 
-}  // namespace
-
-int run_command_line(const std::vector<std::string>& arguments, JobControl& control) {
+int parse_and_run(const std::vector<std::string>& arguments, JobControl& control) {
   CLI::App app("See, understand and author the P-NDF of glinty surfaces.", "glintscope");
   app.set_version_flag("--version", "glintscope " GLINTSCOPE_VERSION);
   app.require_subcommand(0, 1);
@@ -38,11 +48,26 @@ int run_command_line(const std::vector<std::string>& arguments, JobControl& cont
   } catch (const CLI::ParseError& error) {
     return report_parse_error(app, error);
   }
-  for (const std::unique_ptr<Command>& command : commands) {
-    if (command->chosen()) return command->run(control);
-  }
-  fmt::print("{}", app.help());
+  const auto chosen = std::find_if(commands.begin(), commands.end(), [](const auto& c) { return c->chosen(); });
+  if (chosen != commands.end()) return (*chosen)->run(control);
+  write_result(app.help());
   return 0;
+}
+
+}  // namespace
+
+int run_command_line(const std::vector<std::string>& arguments, JobControl& control) {
+  int status = k_failed_status;
+  try {
+    status = parse_and_run(arguments, control);
+  } catch (const std::bad_alloc&) {
+    print_error(content_error("", "there is not enough memory for what was asked"));
+  }
+  if (!results_written() && status == 0) {
+    print_error(content_error("standard output", "cannot be written"));
+    return k_failed_status;
+  }
+  return status;
 }
 
 }  // namespace glint::gui

@@ -12,23 +12,36 @@ namespace {
 
 constexpr int k_bar_width = 40;
 
-void draw_bar(double progress) {
-  const int filled = static_cast<int>(progress * k_bar_width);
-  fmt::print(stderr, "\r[{:<{}}] {:3.0f} %", std::string(static_cast<std::size_t>(filled), '='), k_bar_width,
-             100 * progress);
+void write_error(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stderr);
   std::fflush(stderr);
 }
 
-// File names may hold line breaks; a message must not.
+void draw_bar(double progress) {
+  const int filled = static_cast<int>(progress * k_bar_width);
+  write_error(fmt::format("\r[{:<{}}] {:3.0f} %", std::string(static_cast<std::size_t>(filled), '='), k_bar_width,
+                          100 * progress));
+}
+
+// File names may hold line breaks and worse; a message must not.
 std::string one_line(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
   return text;
 }
 
 }  // namespace
 
+void write_result(std::string_view text) {
+  std::fwrite(text.data(), 1, text.size(), stdout);
+}
+
+bool results_written() {
+  return std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+}
+
 void print_error(const Error& error) {
-  fmt::print(stderr, "glintscope: {}\n", one_line(error.message()));
+  write_error(fmt::format("glintscope: {}\n", one_line(error.message())));
 }
 
 int exit_status(const Error& error) {
@@ -36,7 +49,7 @@ int exit_status(const Error& error) {
 }
 
 void print_message(bool quiet, const std::string& line) {
-  if (!quiet) fmt::print(stderr, "glintscope: {}\n", one_line(line));
+  if (!quiet) write_error(fmt::format("glintscope: {}\n", one_line(line)));
 }
 
 void print_report(bool quiet, const std::string& file, const ReadReport& report) {
@@ -54,8 +67,7 @@ ProgressBar::ProgressBar(const JobControl& control, bool quiet) {
       if (tick > 4) draw_bar(control.progress());
       std::this_thread::sleep_for(std::chrono::milliseconds(60));
     }
-    fmt::print(stderr, "\r{:{}}\r", "", k_bar_width + 8);
-    std::fflush(stderr);
+    write_error(fmt::format("\r{:{}}\r", "", k_bar_width + 8));
   });
 }
 

@@ -1,5 +1,6 @@
 #include "gui/document_options.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <memory>
@@ -49,10 +50,42 @@ std::optional<std::vector<double>> numbers_from(const std::string& words) {
   return values;
 }
 
+// A value as it is typed: 8,32 and not [8, 32].
+std::string typed(const ParameterValue& value) {
+  if (std::holds_alternative<std::monostate>(value)) return "not set";
+  std::string text;
+  for (const char c : value_text(value)) {
+    if (c != '[' && c != ']' && c != '"' && c != ' ') text += c;
+  }
+  return text;
+}
+
+// What stands for the value in the help: N, X, A|B, SMIN,SMAX,TMIN,TMAX.
+std::string placeholder(const Parameter& parameter) {
+  switch (parameter.kind) {
+    case ParameterKind::integer:
+      return "N";
+    case ParameterKind::choice:
+      return fmt::format("{}", fmt::join(parameter.choices, "|"));
+    case ParameterKind::choices:
+      return fmt::format("LIST of {}", fmt::join(parameter.choices, ","));
+    case ParameterKind::numbers: {
+      std::string names = fmt::format("{}", fmt::join(parameter.components, ","));
+      std::transform(names.begin(), names.end(), names.begin(),
+                     [](char c) { return c >= 'a' && c <= 'z' ? c - 32 : c; });
+      return names;
+    }
+    default:
+      return "X";
+  }
+}
+
 std::string option_help(const Parameter& parameter) {
   std::string help(parameter.help);
   if (!parameter.unit.empty()) help += fmt::format(" [{}]", parameter.unit);
-  return help + fmt::format(" Allowed: {}. Default: {}.", parameter.allowed(), value_text(parameter.default_value()));
+  const bool listed = parameter.kind == ParameterKind::choice || parameter.kind == ParameterKind::choices;
+  if (!listed) help += fmt::format(" Allowed: {}.", parameter.allowed());
+  return help + fmt::format(" Default: {}.", typed(parameter.default_value()));
 }
 
 Error wrong_words(const std::string& flag, const std::string& words, std::string_view allowed) {
@@ -95,8 +128,14 @@ std::unique_ptr<FieldOption> add_field_option(CLI::App& app, const std::string& 
   auto field = std::make_unique<FieldOption>();
   field->flag = flag;
   field->parameter = find_parameter(path);
-  field->option = app.add_option(flag, field->words, option_help(*field->parameter))->option_text(" ");
+  field->option =
+      app.add_option(flag, field->words, option_help(*field->parameter))->option_text(placeholder(*field->parameter));
   return field;
+}
+
+void add_words_option(CLI::App& app, WordsOption& words, const std::string& flag, const std::string& placeholder,
+                      const std::string& help) {
+  words.option = app.add_option(flag, words.words, help)->option_text(placeholder);
 }
 
 Status apply(const FieldOption& option, Document& document) {
@@ -107,10 +146,10 @@ Status apply(const FieldOption& option, Document& document) {
 }
 
 DocumentOptions::DocumentOptions(CLI::App& app) {
-  app.add_option("--map", map_, "A normal map, or a height field with --height.")->option_text("FILE");
-  app.add_option("--preset", preset_, "A preset by name or file, or an EXR with a recipe; other options override it.")
-      ->option_text("NAME|FILE")
-      ->excludes("--map");
+  add_words_option(app, map_, "--map", "FILE", "A normal map, or a height field with --height.");
+  add_words_option(app, preset_, "--preset", "NAME|FILE",
+                   "A preset by name or file, or an EXR with a recipe; other options override it.");
+  preset_.option->excludes(map_.option);
   struct Binding {
     const char* flag;
     const char* path;
@@ -127,23 +166,22 @@ DocumentOptions::DocumentOptions(CLI::App& app) {
                                             Binding{"--window", "grid.window"},
                                             Binding{"--seed", "seed"}};
   for (const Binding& binding : k_bindings) fields_.push_back(add_field_option(app, binding.flag, binding.path));
-  app.add_option("--triangles", triangles_, "Short for the surface: 2 is linear, 32 is smooth.")->option_text("2|32");
-  app.add_option("--footprint", footprint_, "Any footprint: centre in texels, covariance in texels squared.")
-      ->option_text("X,Y,SXX,SXY,SYY");
-  app.add_option("--pixel", pixel_, "An isotropic footprint's centre in texels; texel (i, j) is at i + 0.5, j + 0.5.")
-      ->option_text("X,Y")
-      ->excludes("--footprint");
-  app.add_option("--radius", radius_, "The deviation of the --pixel footprint in texels. Default: 5.")
-      ->option_text("R")
-      ->needs("--pixel");
-  app.add_option("--threads", threads_, "Threads to use. Default: all.")->option_text("N");
+  add_words_option(app, triangles_, "--triangles", "2|32", "Short for the surface: 2 is linear, 32 is smooth.");
+  add_words_option(app, footprint_, "--footprint", "X,Y,SXX,SXY,SYY",
+                   "Any footprint: centre in texels, covariance in texels squared.");
+  add_words_option(app, pixel_, "--pixel", "X,Y",
+                   "An isotropic footprint's centre in texels; texel (i, j) is at i + 0.5, j + 0.5.");
+  pixel_.option->excludes(footprint_.option);
+  add_words_option(app, radius_, "--radius", "R", "The deviation of the --pixel footprint in texels. Default: 5.");
+  radius_.option->needs(pixel_.option);
+  add_words_option(app, threads_, "--threads", "N", "Threads to use. Default: all.");
   app.add_flag("--quiet", quiet_, "No messages and no progress; errors are still printed.");
   app.add_flag("--json", json_, "Print the results as one JSON object.");
 }
 
 Status DocumentOptions::apply_source(Document& document) const {
-  if (!preset_.empty()) {
-    Result<std::filesystem::path> file = find_preset(preset_, preset_folders(executable_path()));
+  if (preset_.given()) {
+    Result<std::filesystem::path> file = find_preset(preset_.words, preset_folders(executable_path()));
     if (!file) return request_error("--preset", file.error().message());
     if (file->extension() == ".exr") {
       const Result<std::string> recipe = read_recipe(*file);
@@ -151,14 +189,21 @@ Status DocumentOptions::apply_source(Document& document) const {
       Result<Document> loaded = document_from_recipe(*recipe, file->string());
       if (!loaded) return loaded.error();
       document = std::move(*loaded);
+      // The recipe keeps the map's path as it was typed: from here, or from where the EXR lies.
+      std::filesystem::path& map = document.surface.path;
+      std::error_code missing;
+      if (map.is_relative() && !std::filesystem::exists(map, missing)) {
+        const std::filesystem::path beside = file->parent_path() / map;
+        if (std::filesystem::exists(beside, missing)) map = beside;
+      }
     } else {
       Result<Document> loaded = load_preset(*file);
       if (!loaded) return loaded.error();
       document = std::move(*loaded);
     }
-  } else if (!map_.empty()) {
+  } else if (map_.given()) {
     document.surface.source = SurfaceSource::file;
-    document.surface.path = map_;
+    document.surface.path = map_.words;
   } else {
     return request_error("", "nothing to look at: give --map FILE or --preset NAME");
   }
@@ -166,36 +211,40 @@ Status DocumentOptions::apply_source(Document& document) const {
 }
 
 Status DocumentOptions::apply_footprint(Document& document) const {
-  if (!footprint_.empty()) {
-    const auto numbers = numbers_from(footprint_);
-    if (!numbers || numbers->size() != 5) return wrong_words("--footprint", footprint_, "five numbers X,Y,SXX,SXY,SYY");
+  if (footprint_.given()) {
+    const auto numbers = numbers_from(footprint_.words);
+    if (!numbers || numbers->size() != 5)
+      return wrong_words("--footprint", footprint_.words, "five numbers X,Y,SXX,SXY,SYY");
     const std::vector<double>& n = *numbers;
     document.footprint = {{n[0], n[1]}, {n[2], n[3], n[4]}};
-  } else if (!pixel_.empty()) {
-    const auto numbers = numbers_from(pixel_);
-    if (!numbers || numbers->size() != 2) return wrong_words("--pixel", pixel_, "two numbers X,Y");
-    const auto radius = radius_.empty() ? std::optional(5.0) : number_from<double>(radius_);
-    if (!radius || !(*radius > 0)) return wrong_words("--radius", radius_, "a number of texels above 0");
+  } else if (pixel_.given()) {
+    const auto numbers = numbers_from(pixel_.words);
+    if (!numbers || numbers->size() != 2) return wrong_words("--pixel", pixel_.words, "two numbers X,Y");
+    const auto radius = !radius_.given() ? std::optional(5.0) : number_from<double>(radius_.words);
+    if (!radius || !(*radius > 0 && *radius <= 1e5)) {
+      return wrong_words("--radius", radius_.words, "a number of texels above 0 and at most 100000");
+    }
     document.footprint = isotropic_footprint({(*numbers)[0], (*numbers)[1]}, *radius);
   } else {
     return success();
   }
   const std::optional<std::string> fault = footprint_fault(document.footprint);
-  if (fault) return request_error(footprint_.empty() ? "--pixel" : "--footprint", *fault);
+  if (fault) return request_error(!footprint_.given() ? "--pixel" : "--footprint", *fault);
   return success();
 }
 
 Status DocumentOptions::apply_triangles(Document& document) const {
-  if (triangles_.empty()) return success();
-  if (triangles_ != "2" && triangles_ != "32") return wrong_words("--triangles", triangles_, "2 or 32");
-  const Interpolation wanted = triangles_ == "2" ? Interpolation::linear : Interpolation::smooth;
+  if (!triangles_.given()) return success();
+  if (triangles_.words != "2" && triangles_.words != "32")
+    return wrong_words("--triangles", triangles_.words, "2 or 32");
+  const Interpolation wanted = triangles_.words == "2" ? Interpolation::linear : Interpolation::smooth;
   std::optional<Interpolation>& asked = document.surface.interpolation;
   const auto surface =
       std::find_if(fields_.begin(), fields_.end(), [](const auto& f) { return f->flag == "--surface"; });
   // A preset's surface may be overridden; two options that disagree may not.
   if ((*surface)->given() && asked && *asked != wanted) {
     return request_error("--triangles", fmt::format("{} means the {} surface and cannot stand beside --surface {}",
-                                                    triangles_, choice_name(wanted), choice_name(*asked)));
+                                                    triangles_.words, choice_name(wanted), choice_name(*asked)));
   }
   asked = wanted;
   return success();
@@ -209,34 +258,56 @@ Result<Document> DocumentOptions::document() const {
   }
   if (const Status done = apply_footprint(document); !done) return done.error();
   if (const Status done = apply_triangles(document); !done) return done.error();
-  if (std::optional<Error> fault = document_fault(document)) return std::move(*fault);
+  if (const std::optional<Error> fault = document_fault(document)) return with_flag(*fault);
+  say_what_has_no_effect(document);
   return document;
 }
 
+Error DocumentOptions::with_flag(Error error) const {
+  if (error.subject == "surface.path") error.subject = "--map";
+  if (error.subject.starts_with("footprint.")) error.subject = pixel_.given() ? "--pixel" : "--footprint";
+  for (const std::unique_ptr<FieldOption>& field : fields_) {
+    if (field->parameter->path == error.subject) error.subject = field->flag;
+  }
+  return error;
+}
+
+void DocumentOptions::say_what_has_no_effect(const Document& document) const {
+  for (const std::unique_ptr<FieldOption>& field : fields_) {
+    if (!field->given() || field->parameter->matters(document)) continue;
+    print_message(quiet_, field->flag + " has no effect here");
+  }
+}
+
 bool DocumentOptions::footprint_open() const {
-  return preset_.empty() && footprint_.empty() && pixel_.empty();
+  return !preset_.given() && !footprint_.given() && !pixel_.given();
 }
 
 std::vector<std::filesystem::path> DocumentOptions::inputs(const Document& document) const {
   std::vector<std::filesystem::path> files;
   if (document.surface.source == SurfaceSource::file) files.push_back(document.surface.path);
-  if (!preset_.empty()) {
-    const auto file = find_preset(preset_, preset_folders(executable_path()));
+  if (preset_.given()) {
+    const auto file = find_preset(preset_.words, preset_folders(executable_path()));
     if (file) files.push_back(*file);
   }
   return files;
 }
 
 Result<std::optional<int>> DocumentOptions::threads() const {
-  if (threads_.empty()) return std::optional<int>();
-  const std::optional<int> count = number_from<int>(threads_);
-  if (!count || *count < 1 || *count > 1024) return wrong_words("--threads", threads_, "a whole number from 1 to 1024");
+  if (!threads_.given()) return std::optional<int>();
+  const std::optional<int> count = number_from<int>(threads_.words);
+  if (!count || *count < 1 || *count > 1024)
+    return wrong_words("--threads", threads_.words, "a whole number from 1 to 1024");
   return count;
 }
 
 Result<LoadedSurface> prepare_surface(const DocumentOptions& options, Document& document, JobControl& control) {
-  Result<LoadedSurface> loaded = load_surface(document.surface, control);
-  if (!loaded) return loaded;
+  Result<LoadedSurface> loaded = content_error("", "");
+  {
+    const ProgressBar bar(control, options.quiet());
+    loaded = load_surface(document.surface, control);
+  }
+  if (!loaded) return options.with_flag(loaded.error());
   const NormalMap& map = loaded->surface.map();
   if (loaded->report) {
     print_report(options.quiet(), document.surface.path.string(), *loaded->report);
@@ -245,7 +316,7 @@ Result<LoadedSurface> prepare_surface(const DocumentOptions& options, Document& 
     }
   }
   if (options.footprint_open()) document.footprint.center = {0.5 * map.width(), 0.5 * map.height()};
-  if (std::optional<Error> fault = footprint_position_fault(document.footprint, map)) return std::move(*fault);
+  if (const auto fault = footprint_position_fault(document.footprint, map)) return options.with_flag(*fault);
   return loaded;
 }
 

@@ -26,6 +26,19 @@ struct FieldOption {
   [[nodiscard]] bool given() const { return option->count() > 0; }
 };
 
+/// The words of an option that stands for no single field.
+struct WordsOption {
+  CLI::Option* option = nullptr;
+  std::string words;
+
+  /// Also when the words are empty: `-o ""` is a mistake, not a wish for the default.
+  [[nodiscard]] bool given() const { return option->count() > 0; }
+};
+
+/// Adds it under `flag`, shown with `placeholder`. The option keeps a pointer to `words`.
+void add_words_option(CLI::App& app, WordsOption& words, const std::string& flag, const std::string& placeholder,
+                      const std::string& help);
+
 /// A field's value from the words of its option; the error's subject is the flag.
 Result<ParameterValue> parse_value(const Parameter& parameter, const std::string& flag, const std::string& words);
 
@@ -50,6 +63,8 @@ class DocumentOptions {
 
   [[nodiscard]] bool quiet() const { return quiet_; }
   [[nodiscard]] bool json() const { return json_; }
+  /// An error of a field, under the name of the option that sets it.
+  [[nodiscard]] Error with_flag(Error error) const;
   /// --threads, checked; nothing if it was not given.
   [[nodiscard]] Result<std::optional<int>> threads() const;
 
@@ -57,14 +72,15 @@ class DocumentOptions {
   Status apply_source(Document& document) const;
   Status apply_footprint(Document& document) const;
   Status apply_triangles(Document& document) const;
+  void say_what_has_no_effect(const Document& document) const;
 
-  std::string map_;
-  std::string preset_;
-  std::string pixel_;
-  std::string radius_;
-  std::string footprint_;
-  std::string triangles_;
-  std::string threads_;
+  WordsOption map_;
+  WordsOption preset_;
+  WordsOption pixel_;
+  WordsOption radius_;
+  WordsOption footprint_;
+  WordsOption triangles_;
+  WordsOption threads_;
   bool quiet_ = false;
   bool json_ = false;
   std::vector<std::unique_ptr<FieldOption>> fields_;

@@ -83,9 +83,12 @@ class GenerateCommand final : public Command {
     Result<Document> document = document_for(kind);
     if (!document) return document.error();
     if (Status writable = check_output(output_, {}, {".exr", ".png"}); !writable) return writable;
-    const ProgressBar bar(control, quiet_);
-    const Result<LoadedSurface> made = load_surface(document->surface, control);
-    if (!made) return made.error();
+    Result<LoadedSurface> made = content_error("", "");
+    {
+      const ProgressBar bar(control, quiet_);
+      made = load_surface(document->surface, control);
+    }
+    if (!made) return with_flag(made.error());
     Status written = write_normal_map(output_, made->surface.map());
     if (written) print_message(quiet_, "wrote " + output_);
     return written;
@@ -109,8 +112,15 @@ class GenerateCommand final : public Command {
             field->flag, fmt::format("has no effect on the {} spectrum", choice_name(document.surface.noise.spectrum)));
       }
     }
-    if (std::optional<Error> fault = document_fault(document)) return std::move(*fault);
+    if (const std::optional<Error> fault = document_fault(document)) return with_flag(*fault);
     return document;
+  }
+
+  // What a field's fault is called here.
+  static Error with_flag(Error error) {
+    const Parameter* parameter = find_parameter(error.subject);
+    if (parameter != nullptr && parameter->path.starts_with(k_generator)) error.subject = flag_of(*parameter);
+    return error;
   }
 
   CLI::App& app_;

@@ -14,8 +14,9 @@ void end_at_once(int /*signal*/) {
 }
 
 void cancel_job(int /*signal*/) {
+  if (interrupted_job->cancelled()) _exit(k_interrupted_status);  // asked twice
   interrupted_job->cancel();
-  const itimerval soon{{0, 0}, {0, 120'000}};
+  const itimerval soon{{0, 0}, {0, 100'000}};
   setitimer(ITIMER_REAL, &soon, nullptr);
 }
 
@@ -24,7 +25,7 @@ void cancel_job(int /*signal*/) {
 void cancel_on_interrupt(JobControl& control) {
   interrupted_job = &control;
   std::signal(SIGALRM, end_at_once);
-  std::signal(SIGINT, cancel_job);
+  if (std::signal(SIGINT, cancel_job) == SIG_IGN) std::signal(SIGINT, SIG_IGN);  // a caller's wish, as of nohup
 }
 
 }  // namespace glint::gui

@@ -1,6 +1,7 @@
 // glintscope pndf: D_P(s) of one footprint, as images or at given normals.
 
 #include <chrono>
+#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -57,11 +58,11 @@ class PndfCommand final : public Command {
   explicit PndfCommand(CLI::App& app)
       : app_(*app.add_subcommand("pndf", "D_P(s) of one footprint: an EXR or PNG of the chosen methods, or values.")),
         options_(app_) {
-    app_.add_option("--queries", queries_, "Print D_P at these normals, one `s t` a line; - is standard input.")
-        ->option_text("FILE|-");
-    app_.add_option("-o,--output", output_, "Write the images: .exr (one channel a method) or .png (false colour).")
-        ->option_text("OUT.exr|OUT.png")
-        ->excludes("--queries");
+    add_words_option(app_, queries_, "--queries", "FILE|-",
+                     "Print D_P at these normals, one `s t` a line; - is standard input.");
+    add_words_option(app_, output_, "-o,--output", "OUT.exr|OUT.png",
+                     "Write the images: .exr (one channel a method) or .png (false colour).");
+    output_.option->excludes(queries_.option);
   }
 
   [[nodiscard]] bool chosen() const override { return app_.parsed(); }
@@ -81,17 +82,17 @@ class PndfCommand final : public Command {
     if (!threads) return threads.error();
     std::optional<ThreadLimit> limit;
     if (*threads) limit.emplace(**threads);
-    if (!output_.empty()) {
-      Status writable = check_output(output_, options_.inputs(*document), {".exr", ".png"});
+    if (output_.given()) {
+      Status writable = check_output(output_.words, options_.inputs(*document), {".exr", ".png"});
       if (!writable) return writable;
     }
     Result<std::vector<glm::dvec2>> queries = std::vector<glm::dvec2>();
-    if (!queries_.empty()) queries = read_queries(queries_);
+    if (queries_.given()) queries = read_queries(queries_.words);
     if (!queries) return queries.error();
     Result<LoadedSurface> loaded = prepare_surface(options_, *document, control);
     if (!loaded) return loaded.error();
-    return queries_.empty() ? make_images(*document, loaded->surface, control)
-                            : answer(*document, loaded->surface, *queries, control);
+    return !queries_.given() ? make_images(*document, loaded->surface, control)
+                             : answer(*document, loaded->surface, *queries, control);
   }
 
   Status answer(const Document& document, const Surface& surface, const std::vector<glm::dvec2>& queries,
@@ -117,13 +118,13 @@ class PndfCommand final : public Command {
     if (options_.json()) {
       Json results = Json::array();
       for (const MethodValues& a : answers) results.push_back({{"method", name_of(a.method)}, {"values", a.values}});
-      fmt::print("{}\n", head(document, surface, std::move(results)).dump());
+      print_result("{}\n", head(document, surface, std::move(results)).dump());
       return success();
     }
     for (std::size_t k = 0; k < queries.size(); ++k) {
       std::string line;
       for (const MethodValues& a : answers) line += fmt::format("{}{:.9e}", line.empty() ? "" : " ", a.values[k]);
-      fmt::print("{}\n", line);
+      print_result("{}\n", line);
     }
     return success();
   }
@@ -142,36 +143,55 @@ class PndfCommand final : public Command {
         made.push_back({method, model->info(), std::move(*image), milliseconds_since(begin)});
       }
     }
-    say_widening(document, made.front().image);
+    say_what_the_images_are(document, made);
     if (Status written = write(document, made); !written) return written;
     if (options_.json()) {
-      fmt::print("{}\n", head(document, surface, image_results(made)).dump());
+      print_result("{}\n", head(document, surface, image_results(made)).dump());
     } else {
       print_table(made);
     }
     return success();
   }
 
-  void say_widening(const Document& document, const PndfImage& image) const {
-    if (image.widening.x == 0 && image.widening.y == 0) return;
-    print_message(options_.quiet(),
-                  fmt::format("sigma_r {} is below 0.6 of the cell pitch: the exact image holds cell means, its "
-                              "sigma_r^2 widened by {:.3g}, {:.3g}",
-                              document.intrinsic_roughness, image.widening.x, image.widening.y));
+  void say_what_the_images_are(const Document& document, const std::vector<MethodImage>& made) const {
+    for (const MethodImage& m : made) {
+      if (m.image.widening != glm::dvec2(0)) {
+        print_message(
+            options_.quiet(),
+            fmt::format("sigma_r {} is below 0.6 of the cell pitch: cells of the {} image hold means, its "
+                        "sigma_r^2 widened by {:.3g} along s and {:.3g} along t",
+                        document.intrinsic_roughness, name_of(m.method), m.image.widening.x, m.image.widening.y));
+      }
+      if (!holds_lobe(m.image)) {
+        print_message(options_.quiet(),
+                      fmt::format("the window does not contain the lobe: the {} image holds {:.3g} % of it",
+                                  name_of(m.method), 100 * integral(m.image)));
+      }
+    }
+  }
+
+  // Energy is only meaningful where the window contains the lobe.
+  static bool holds_lobe(const PndfImage& image) { return integral(image) > 0.995; }
+
+  static std::string noise_text(const PndfImage& image) {
+    if (image.error.kind == PndfError::Kind::estimated) return fmt::format("{:.2g} %", 100 * image.error.relative_l1);
+    return image.standard_error.empty() ? "none" : "unknown";  // without a sample in the window
   }
 
   Status write(const Document& document, const std::vector<MethodImage>& made) const {
-    if (output_.empty()) return success();
+    if (!output_.given()) return success();
     Status written = success();
-    if (output_.ends_with(".exr")) {
+    if (output_.words.ends_with(".exr")) {
       std::vector<NamedPndfImage> named;
       named.reserve(made.size());
       for (const MethodImage& m : made) named.push_back({name_of(m.method), &m.image});
-      written = write_pndf_exr(output_, named, recipe_of(document));
+      written = write_pndf_exr(output_.words, named, recipe_of(document));
     } else {
-      written = picture(document, made).write_png(output_);
+      const Canvas canvas = picture(document, made);
+      if (canvas.text_missing()) print_message(options_.quiet(), "no font was found: the picture has no text");
+      written = canvas.write_png(output_.words);
     }
-    if (written) print_message(options_.quiet(), "wrote " + output_);
+    if (written) print_message(options_.quiet(), "wrote " + output_.words);
     return written;
   }
 
@@ -183,17 +203,20 @@ class PndfCommand final : public Command {
       std::string caption = fmt::format("integral {:.5f}", integral(m.image));
       if (m.method == PndfMethod::binning) {
         detail = fmt::format("{} samples", short_count(document.binning_samples));
-        caption += fmt::format("   own noise {:.2g} %", 100 * m.image.error.relative_l1);
+        caption += "   own noise " + noise_text(m.image);
       }
       entries.push_back({name_of(m.method), std::move(detail), std::move(caption), &m.image});
     }
     const SymmetricMatrix2& c = document.footprint.covariance;
-    std::string footer =
-        fmt::format("{}   footprint at {:.6g}, {:.6g} texels, covariance {:.4g}, {:.4g}, {:.4g}   sigma_r {:.4g}",
-                    map_name(document), document.footprint.center.x, document.footprint.center.y, c.xx, c.xy, c.yy,
-                    document.intrinsic_roughness);
-    const glm::dvec2 widening = made.front().image.widening;
-    if (widening.x > 0 || widening.y > 0) footer += fmt::format(", its square widened by {:.2g}", widening.x);
+    std::string footer = fmt::format(
+        "footprint at {:.6g}, {:.6g} texels, covariance {:.4g}, {:.4g}, {:.4g}   sigma_r {:.4g}",
+        document.footprint.center.x, document.footprint.center.y, c.xx, c.xy, c.yy, document.intrinsic_roughness);
+    for (const MethodImage& m : made) {
+      const glm::dvec2 widening = m.image.widening;
+      if (widening == glm::dvec2(0)) continue;
+      footer += fmt::format("   {}: its square widened by {:.2g}, {:.2g}", name_of(m.method), widening.x, widening.y);
+    }
+    footer += "   " + std::filesystem::path(map_name(document)).filename().string();
     return draw_pndf_picture(entries, footer);
   }
 
@@ -205,12 +228,14 @@ class PndfCommand final : public Command {
                      {"integral", integral(m.image)}, {"mean", {mean.x, mean.y}},
                      {"image_ms", m.milliseconds},    {"widening", {m.image.widening.x, m.image.widening.y}}};
       if (m.method == PndfMethod::binning) {
-        result["own_noise"] = m.image.error.relative_l1;
+        const bool known = m.image.error.kind == PndfError::Kind::estimated;
+        result["own_noise"] = known ? Json(m.image.error.relative_l1) : Json();
         result["invalid_samples"] = m.image.invalid_samples;
         result["outside_samples"] = m.image.outside_samples;
       }
       const PndfGrid& g = m.image.grid;
       result["window"] = {g.s_min, g.s_max, g.t_min, g.t_max};
+      result["window_holds_lobe"] = holds_lobe(m.image);
       result["image_size"] = g.columns;
       results.push_back(std::move(result));
     }
@@ -228,22 +253,19 @@ class PndfCommand final : public Command {
   }
 
   static void print_table(const std::vector<MethodImage>& made) {
-    fmt::print("{:<10} {:<9} {:>10} {:>10} {:>10} {:>11} {:>11}\n", "method", "surface", "integral", "mean s", "mean t",
-               "own noise", "time");
+    print_result("{:<10} {:<9} {:>10} {:>10} {:>10} {:>11} {:>11}\n", "method", "surface", "integral", "mean s",
+                 "mean t", "own noise", "time");
     for (const MethodImage& m : made) {
       const glm::dvec2 mean = mean_normal(m.image);
-      const std::string noise = m.image.error.kind == PndfError::Kind::estimated
-                                    ? fmt::format("{:.2g} %", 100 * m.image.error.relative_l1)
-                                    : "none";
-      fmt::print("{:<10} {:<9} {:>10.6f} {:>10.6f} {:>10.6f} {:>11} {:>8.1f} ms\n", name_of(m.method),
-                 choice_name(m.info.surface), integral(m.image), mean.x, mean.y, noise, m.milliseconds);
+      print_result("{:<10} {:<9} {:>10.6f} {:>10.6f} {:>10.6f} {:>11} {:>8.1f} ms\n", name_of(m.method),
+                   choice_name(m.info.surface), integral(m.image), mean.x, mean.y, noise_text(m.image), m.milliseconds);
     }
   }
 
   CLI::App& app_;
   DocumentOptions options_;
-  std::string queries_;
-  std::string output_;
+  WordsOption queries_;
+  WordsOption output_;
 };
 
 }  // namespace

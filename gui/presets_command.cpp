@@ -34,7 +34,7 @@ class PresetsCommand final : public Command {
  private:
   static Status list() {
     for (const PresetEntry& entry : list_presets(preset_folders(executable_path()))) {
-      fmt::print("{:<24} {}\n", entry.name, entry.file.lexically_normal().string());
+      print_result("{:<24} {}\n", entry.name, entry.file.lexically_normal().string());
     }
     return success();
   }
@@ -44,14 +44,14 @@ class PresetsCommand final : public Command {
     if (!file) return file.error();
     const Result<Document> document = load_preset(*file);
     if (!document) return document.error();
-    fmt::print("{}", preset_text(*document));
+    print_result("{}", preset_text(*document));
     return success();
   }
 
   [[nodiscard]] Status check() const {
     const Result<Document> document = load_preset(file_);
     if (!document) return document.error();
-    fmt::print("{}: ok\n", file_);
+    print_result("{}: ok\n", file_);
     return success();
   }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <optional>
@@ -36,6 +37,9 @@ std::optional<glm::dvec2> parse_line(const std::string& line) {
 
 Result<std::vector<glm::dvec2>> read_queries(const std::string& file) {
   std::ifstream opened;
+  std::error_code unreadable;
+  if (file.empty()) return request_error("--queries", "needs a file, or - for standard input");
+  if (std::filesystem::is_directory(file, unreadable)) return content_error(file, "is a folder, not a file of queries");
   if (file != "-") {
     opened.open(file);
     if (!opened) return content_error(file, "the file of queries cannot be read");
@@ -52,6 +56,7 @@ Result<std::vector<glm::dvec2>> read_queries(const std::string& file) {
     }
     queries.push_back(*query);
   }
+  if (lines.bad()) return content_error(file == "-" ? "standard input" : file, "the queries cannot be read");
   return queries;
 }
 

@@ -1,5 +1,6 @@
 // glintscope study: speed against error of the chosen methods on one footprint.
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 
@@ -22,7 +23,12 @@ Json reference_json(const StudyReference& reference) {
 }
 
 Json settings_json(const Document& document, const StudyResult& result) {
-  if (result.method == PndfMethod::binning) return {{"samples", document.binning_samples}, {"seed", document.seed}};
+  switch (result.method) {
+    case PndfMethod::binning:
+      return {{"samples", document.binning_samples}, {"seed", document.seed}};
+    case PndfMethod::exact:
+      break;
+  }
   Json settings = {{"precision", "double"}};
   if (result.surface == Interpolation::linear) settings["triangles"] = 2;
   if (result.surface == Interpolation::smooth) settings["triangles"] = 32;
@@ -37,6 +43,7 @@ Json result_json(const Document& document, const StudyResult& r) {
           {"reference", reference_json(r.reference)},
           {"footprint", {document.footprint.center.x, document.footprint.center.y, c.xx, c.xy, c.yy}},
           {"build_ms", r.build_ms},
+          {"prepare_ms", r.prepare_ms},
           {"bytes", r.bytes},
           {"image_ms", r.image_ms},
           {"image_size", document.grid.size},
@@ -56,10 +63,10 @@ class StudyCommand final : public Command {
   explicit StudyCommand(CLI::App& app)
       : app_(*app.add_subcommand("study", "Speed against error of the chosen methods at one footprint.")),
         options_(app_) {
-    app_.add_option("--repeat", repeat_, "Images timed after one warm-up; the median is reported. Default: 5.")
-        ->option_text("N");
-    app_.add_option("--reference", reference_, "The surface of the reference. Default: the method's own.")
-        ->option_text("smooth|linear|constant");
+    add_words_option(app_, repeat_, "--repeat", "N",
+                     "Images timed after one warm-up; the median is reported. Default: 5.");
+    add_words_option(app_, reference_, "--reference", "smooth|linear|constant",
+                     "The surface of the reference. Default: the method's own.");
   }
 
   [[nodiscard]] bool chosen() const override { return app_.parsed(); }
@@ -77,17 +84,17 @@ class StudyCommand final : public Command {
     const Result<std::optional<int>> threads = options_.threads();
     if (!threads) return threads.error();
     settings.threads = *threads;
-    if (!repeat_.empty()) {
-      const char* end = repeat_.data() + repeat_.size();
-      const auto [stop, fault] = std::from_chars(repeat_.data(), end, settings.repeats);
+    if (repeat_.given()) {
+      const char* end = repeat_.words.data() + repeat_.words.size();
+      const auto [stop, fault] = std::from_chars(repeat_.words.data(), end, settings.repeats);
       if (fault != std::errc() || stop != end || settings.repeats < 1 || settings.repeats > 10'000) {
-        return request_error("--repeat", "'" + repeat_ + "' is not a whole number from 1 to 10000");
+        return request_error("--repeat", "'" + repeat_.words + "' is not a whole number from 1 to 10000");
       }
     }
-    if (!reference_.empty()) {
-      settings.reference_surface = choice_named<Interpolation>(reference_);
+    if (reference_.given()) {
+      settings.reference_surface = choice_named<Interpolation>(reference_.words);
       if (!settings.reference_surface) {
-        return request_error("--reference", "'" + reference_ + "' is not smooth, linear or constant");
+        return request_error("--reference", "'" + reference_.words + "' is not smooth, linear or constant");
       }
     }
     return settings;
@@ -105,14 +112,26 @@ class StudyCommand final : public Command {
       const ProgressBar bar(control, options_.quiet());
       results = run_study(*document, loaded->surface, *asked, control);
     }
-    if (!results) return results.error();
-    const int threads = asked->threads.value_or(thread_count());
+    if (!results) return options_.with_flag(results.error());
+    say_short_counts(*results);
+    const int threads = std::min(asked->threads.value_or(thread_count()), thread_count());
     if (options_.json()) {
       print_json(*document, *results, threads);
     } else {
       print_table(*results, threads);
     }
     return success();
+  }
+
+  // The figure is defined over 10^4 normals: fewer must be loud.
+  void say_short_counts(const std::vector<StudyResult>& results) const {
+    for (const StudyResult& r : results) {
+      const std::size_t least = std::min(r.query_count, r.query_uniform_count);
+      if (least >= k_study_queries) continue;
+      print_message(options_.quiet(),
+                    fmt::format("{}: a mean time per query is over {} normals only, not {}: they are slow",
+                                choice_name(r.method), least, k_study_queries));
+    }
   }
 
   static void print_json(const Document& document, const std::vector<StudyResult>& results, int threads) {
@@ -124,20 +143,21 @@ class StudyCommand final : public Command {
                    {"reference", reference_json(results.front().reference)},
                    {"results", Json::array()}};
     for (const StudyResult& result : results) object["results"].push_back(result_json(document, result));
-    fmt::print("{}\n", object.dump());
+    print_result("{}\n", object.dump());
   }
 
   static void print_table(const std::vector<StudyResult>& results, int threads) {
-    fmt::print("{}, {} used, {}\n", machine_name(), threads, instruction_set());
-    fmt::print("{:<10} {:<9} {:>9} {:>10} {:>11} {:>11} {:>11} {:>11} {:>11} {:>11}\n", "method", "surface", "build ms",
-               "image ms", "query us", "uniform us", "relative L1", "peak error", "energy err", "own noise");
+    print_result("{}, {} used, {}\n", machine_name(), threads, instruction_set());
+    print_result("{:<10} {:<9} {:>9} {:>10} {:>11} {:>11} {:>11} {:>11} {:>11} {:>11}\n", "method", "surface",
+                 "build ms", "image ms", "query us", "uniform us", "relative L1", "peak error", "energy err",
+                 "own noise");
     for (const StudyResult& r : results) {
-      fmt::print("{:<10} {:<9} {:>9.3g} {:>10.4g} {:>11.4g} {:>11.4g} {:>11.3g} {:>11.3g} {:>11.3g} {:>11.3g}\n",
-                 choice_name(r.method), choice_name(r.surface), r.build_ms, r.image_ms, r.query_us, r.query_uniform_us,
-                 r.relative_l1, r.peak_error, r.energy_error, r.own_noise);
+      print_result("{:<10} {:<9} {:>9.3g} {:>10.4g} {:>11.4g} {:>11.4g} {:>11.3g} {:>11.3g} {:>11.3g} {:>11.3g}\n",
+                   choice_name(r.method), choice_name(r.surface), r.build_ms, r.image_ms, r.query_us,
+                   r.query_uniform_us, r.relative_l1, r.peak_error, r.energy_error, r.own_noise);
     }
     for (const StudyResult& r : results) {
-      fmt::print(
+      print_result(
           "{}: reference exact on the {} surface in double precision, own error {:.2g}; queries timed: {} and {}\n",
           choice_name(r.method), choice_name(r.reference.surface), r.reference.relative_l1, r.query_count,
           r.query_uniform_count);
@@ -146,8 +166,8 @@ class StudyCommand final : public Command {
 
   CLI::App& app_;
   DocumentOptions options_;
-  std::string repeat_;
-  std::string reference_;
+  WordsOption repeat_;
+  WordsOption reference_;
 };
 
 }  // namespace

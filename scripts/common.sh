@@ -1,6 +1,6 @@
 # shellcheck shell=bash
 # Sourced by the scripts, which then stand in the root of the checkout.
-cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit
+CDPATH='' cd -- "$(dirname "${BASH_SOURCE[0]}")/.." || exit
 
 # quietly NAME COMMAND...: one line with the name and the seconds it took. All the command prints goes to
 # build/log/NAME.log, of which the end is shown if it fails. The command is a program or a function made of one list

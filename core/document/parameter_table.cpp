@@ -296,7 +296,7 @@ constexpr std::array k_parameters{
               .label = "intrinsic roughness",
               .symbol = "sigma_r",
               .kind = ParameterKind::number,
-              .range = {0, 1, true},
+              .range = {1e-9, 1},
               .help = "The roughness below the map's texels: the standard deviation of its Gaussian on the unit disk.",
               .source = k_yan14_pndf,
               .access = at<[](auto& d) -> auto& { return d.intrinsic_roughness; }>(),

@@ -14,6 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int k_most_links = 40;
 constexpr int k_most_temporaries = 1000;  // beside one target: left by runs that were killed, or by runs at work
 
 struct CloseFile {
@@ -69,9 +70,11 @@ Result<AtomicFile> AtomicFile::create(const fs::path& target) {
   if (target.filename().empty()) return refuse("a file name is needed");
   std::error_code error;
   fs::path final_target = target;
-  if (fs::is_symlink(target, error)) {
-    final_target = fs::weakly_canonical(target, error);
+  for (int hop = 0; fs::is_symlink(final_target, error); ++hop) {  // by hand: what a link names may not exist yet
+    if (hop == k_most_links) return refuse("its links go round in a circle");
+    const fs::path next = fs::read_symlink(final_target, error);
     if (error) return refuse(error.message());
+    final_target = final_target.parent_path() / next;
   }
   const fs::file_status status = fs::status(final_target, error);
   if (fs::is_directory(status)) return refuse("it is a folder");

@@ -4,10 +4,8 @@
 
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
-#include <OpenImageIO/imageio.h>
 
-#include "core/image/atomic_file.h"
-#include "core/image/quiet_stderr.h"
+#include "core/image/png_file.h"
 
 namespace glint {
 namespace {
@@ -66,21 +64,9 @@ void Canvas::text(int x, int y, const std::string& line, int size, DisplayColor 
 }
 
 Status Canvas::write_png(const std::filesystem::path& path) const {
-  Result<AtomicFile> file = AtomicFile::create(path);
-  if (!file) return file.error();
-  OIIO::ImageSpec spec(width_, height_, 3, OIIO::TypeDesc::UINT8);
-  spec.attribute("Software", "Glintscope");
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  {
-    const QuietStderr quiet;
-    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create("png");
-    if (!output || !output->open(file->temporary().string(), spec) ||
-        !output->write_image(OIIO::TypeDesc::UINT8, pixels_.data()) || !output->close()) {
-      const std::string cause = output ? output->geterror() : OIIO::geterror();
-      return content_error(path.string(), "cannot be written: " + cause);
-    }
-  }
-  return file->commit();
+  static_assert(sizeof(DisplayColor) == 3);
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(pixels_.data());
+  return write_png_8(path, width_, height_, {bytes, 3 * pixels_.size()});
 }
 
 }  // namespace glint

@@ -2,6 +2,7 @@
 
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 #include "core/image/atomic_file.h"
 #include "core/image/quiet_stderr.h"
@@ -32,8 +33,9 @@ Status write_pndf_exr(const std::filesystem::path& path, std::span<const NamedPn
   Result<AtomicFile> file = AtomicFile::create(path);
   if (!file) return file.error();
 
-  const PndfImage& first = *images.front().image;
-  const PndfGrid& grid = first.grid;
+  const PndfGrid& grid = images.front().image->grid;
+  glm::dvec2 widening{0, 0};  // of the methods that widen; binning counts in the cells themselves
+  for (const NamedPndfImage& named : images) widening = glm::max(widening, named.image->widening);
   const std::vector<Channel> channels = channels_of(images);
   OIIO::ImageSpec spec(grid.columns, grid.rows, static_cast<int>(channels.size()), OIIO::TypeDesc::FLOAT);
   spec.channelnames.clear();
@@ -44,7 +46,7 @@ Status write_pndf_exr(const std::filesystem::path& path, std::span<const NamedPn
   spec.attribute("glintscope:recipe", recipe);
   // Shortest decimals that read back as the same doubles.
   spec.attribute("glintscope:window", fmt::format("{} {} {} {}", grid.s_min, grid.s_max, grid.t_min, grid.t_max));
-  spec.attribute("glintscope:widening", fmt::format("{} {}", first.widening.x, first.widening.y));
+  spec.attribute("glintscope:widening", fmt::format("{} {}", widening.x, widening.y));
 
   std::vector<float> pixels(grid.cells() * channels.size());
   for (std::size_t c = 0; c < channels.size(); ++c) {
@@ -72,7 +74,7 @@ Result<std::string> read_recipe(const std::filesystem::path& path) {
     return content_error(path.string(), "is not an OpenEXR file that can be read");
   }
   const std::string recipe = spec.get_string_attribute("glintscope:recipe");
-  if (recipe.empty()) return content_error(path.string(), "holds no recipe: it was not made by Glintscope");
+  if (recipe.empty()) return content_error(path.string(), "holds no recipe: only P-NDF images carry one");
   return recipe;
 }
 

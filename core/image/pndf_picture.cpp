@@ -62,9 +62,11 @@ void draw_density(Canvas& canvas, const Frame& frame, const PndfImage& image, co
 }
 
 void draw_rim(Canvas& canvas, const Frame& frame, const PndfGrid& grid) {
-  constexpr int k_steps = 7200;
-  for (int k = 0; k < k_steps; ++k) {
-    const double angle = 2 * std::numbers::pi * k / k_steps;
+  // Two steps a pixel, however narrow the window is.
+  const double scale = std::max(frame.width / (grid.s_max - grid.s_min), frame.height / (grid.t_max - grid.t_min));
+  const int steps = static_cast<int>(std::min(4 * std::numbers::pi * scale, 1e7));
+  for (int k = 0; k < steps; ++k) {
+    const double angle = 2 * std::numbers::pi * k / steps;
     const double x = (std::cos(angle) - grid.s_min) / (grid.s_max - grid.s_min);
     const double y = (grid.t_max - std::sin(angle)) / (grid.t_max - grid.t_min);
     if (x < 0 || x >= 1 || y < 0 || y >= 1) continue;

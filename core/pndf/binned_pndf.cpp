@@ -102,7 +102,8 @@ BinnedPndf::BinnedPndf(Surface surface, double intrinsic_roughness, BinnedSettin
     : surface_(std::move(surface)), intrinsic_roughness_(intrinsic_roughness), settings_(settings) {}
 
 PndfModelInfo BinnedPndf::info() const {
-  return {"binning", surface_.interpolation(), "statistical: its error falls as 1 / sqrt(samples)", 0};
+  return {"binning", surface_.interpolation(), "statistical: its error falls as 1 / sqrt(samples)",
+          2 * sizeof(double) * static_cast<std::size_t>(settings_.bins) * static_cast<std::size_t>(settings_.bins)};
 }
 
 FootprintPndf& BinnedPndf::at(const Footprint& footprint, PndfWorkspace& workspace) const {
@@ -128,7 +129,8 @@ std::optional<PndfImage> BinnedPndf::image(const Footprint& footprint, const Pnd
   }
   image.invalid_samples = histogram->invalid;
   image.outside_samples = histogram->outside;
-  image.error = {PndfError::Kind::estimated, own_noise(image, settings_.samples)};
+  const double noise = own_noise(image, settings_.samples);
+  if (noise > 0) image.error = {PndfError::Kind::estimated, noise};  // an empty image tells nothing about itself
   return image;
 }
 

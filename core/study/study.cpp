@@ -12,8 +12,6 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t k_queries = 10'000;
-
 using Clock = std::chrono::steady_clock;
 
 double milliseconds_since(Clock::time_point begin) {
@@ -46,14 +44,14 @@ QueryTime time_queries(const FootprintPndf& pndf, const std::vector<glm::dvec2>&
 
 std::vector<glm::dvec2> lobe_normals(const FootprintPndf& pndf, std::uint64_t seed) {
   RandomStream random(seed, 0x517e);
-  std::vector<glm::dvec2> normals(k_queries);
+  std::vector<glm::dvec2> normals(k_study_queries);
   for (glm::dvec2& s : normals) s = pndf.sample(random);
   return normals;
 }
 
 std::vector<glm::dvec2> window_normals(const PndfGrid& grid, std::uint64_t seed) {
   RandomStream random(seed, 0x517f);
-  std::vector<glm::dvec2> normals(k_queries);
+  std::vector<glm::dvec2> normals(k_study_queries);
   for (glm::dvec2& s : normals) {
     const double x = random.next_uniform();
     const double y = random.next_uniform();
@@ -67,7 +65,7 @@ std::optional<StudyResult> time_method(const Document& document, PndfMethod meth
                                        const PndfGrid& grid, const StudySettings& settings, JobControl& control,
                                        PndfImage& image) {
   std::optional<ThreadLimit> limit;
-  if (settings.threads) limit.emplace(*settings.threads);
+  if (settings.threads) limit.emplace(std::min(*settings.threads, thread_count()));
   StudyResult result{};
   result.method = method;
   result.surface = surface.interpolation();
@@ -87,7 +85,9 @@ std::optional<StudyResult> time_method(const Document& document, PndfMethod meth
   result.image_ms = median(times);
 
   PndfWorkspace workspace;
+  const Clock::time_point prepare = Clock::now();
   const FootprintPndf& pndf = model->at(document.footprint, workspace);
+  result.prepare_ms = milliseconds_since(prepare);
   const QueryTime lobe = time_queries(pndf, lobe_normals(pndf, document.seed), settings.query_seconds, control);
   const QueryTime window = time_queries(pndf, window_normals(grid, document.seed), settings.query_seconds, control);
   if (control.cancelled()) return std::nullopt;
@@ -105,6 +105,7 @@ Result<std::vector<StudyResult>> run_study(const Document& document, const Surfa
                                            const StudySettings& settings, JobControl& control) {
   const Error cancelled = content_error("study", "cancelled");
   const PndfGrid grid = document_grid(document, surface);
+  if (const auto fault = grid_fault(grid)) return request_error("grid.window", *fault);
   std::map<Interpolation, ReferenceImage> references;
   std::vector<StudyResult> results;
   for (const PndfMethod method : document.methods) {

@@ -13,6 +13,9 @@
 
 namespace glint {
 
+/// How many normals a mean time per query is over.
+inline constexpr std::size_t k_study_queries = 10'000;
+
 struct StudySettings {
   int repeats = 5;                                 ///< images timed after one warm-up; image_ms is their median
   std::optional<int> threads;                      ///< of the timed methods; the reference uses all
@@ -30,6 +33,7 @@ struct StudyResult {
   Interpolation surface;
   StudyReference reference;
   double build_ms;
+  double prepare_ms;  ///< of one footprint, before its first query
   std::size_t bytes;
   double image_ms;
   double query_us;          ///< mean over normals drawn from D_P itself
