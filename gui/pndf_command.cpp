@@ -224,9 +224,13 @@ class PndfCommand final : public Command {
     Json results = Json::array();
     for (const MethodImage& m : made) {
       const glm::dvec2 mean = mean_normal(m.image);
-      Json result = {{"method", name_of(m.method)},   {"surface", choice_name(m.info.surface)},
-                     {"integral", integral(m.image)}, {"mean", {mean.x, mean.y}},
-                     {"image_ms", m.milliseconds},    {"widening", {m.image.widening.x, m.image.widening.y}}};
+      Json result = {{"method", name_of(m.method)},
+                     {"surface", choice_name(m.info.surface)},
+                     {"guarantee", m.info.guarantee},
+                     {"integral", integral(m.image)},
+                     {"mean", {mean.x, mean.y}},
+                     {"image_ms", m.milliseconds},
+                     {"widening", {m.image.widening.x, m.image.widening.y}}};
       if (m.method == PndfMethod::binning) {
         const bool known = m.image.error.kind == PndfError::Kind::estimated;
         result["own_noise"] = known ? Json(m.image.error.relative_l1) : Json();

@@ -13,7 +13,8 @@ using State = std::array<std::uint64_t, 2>;
 static_assert(sizeof(pcg32) == sizeof(State));
 
 double uniform_of(pcg32& generator) {
-  const std::uint64_t bits = (std::uint64_t{generator()} << 32U) | generator();
+  const std::uint64_t high = generator();
+  const std::uint64_t bits = (high << 32U) | generator();
   return (static_cast<double>(bits >> 12U) + 0.5) * 0x1p-52;  // 52 bits and a half: never 0, never 1
 }
 

@@ -78,8 +78,9 @@ double own_noise(const PndfImage& image, std::uint64_t samples) {
 
 class BinnedFootprint final : public FootprintPndf {
  public:
-  BinnedFootprint(const BinnedPndf& model, const Footprint& footprint, PndfImage bins)
-      : sampler_(model.surface(), footprint, model.intrinsic_roughness()), bins_(std::move(bins)) {}
+  explicit BinnedFootprint(PndfImage bins) : bins_(std::move(bins)), cumulative_(bins_.density.size()) {
+    std::partial_sum(bins_.density.begin(), bins_.density.end(), cumulative_.begin());
+  }
 
   void evaluate(std::span<const glm::dvec2> s, std::span<double> density) const override {
     for (std::size_t k = 0; k < s.size(); ++k) {
@@ -88,12 +89,25 @@ class BinnedFootprint final : public FootprintPndf {
     }
   }
 
-  [[nodiscard]] glm::dvec2 sample(RandomStream& random) const override { return sampler_.sample(random); }
+  // Draws what evaluate() says: a bin by its count, a place in it uniformly. What fell outside the window is an invalid
+  // normal outside every window.
+  [[nodiscard]] glm::dvec2 sample(RandomStream& random) const override {
+    const PndfGrid& grid = bins_.grid;
+    const double target = random.next_uniform() / grid.cell_area();
+    const auto bin = std::upper_bound(cumulative_.begin(), cumulative_.end(), target);
+    const double x = random.next_uniform();
+    const double y = random.next_uniform();
+    if (bin == cumulative_.end()) return {2, 2};
+    const auto index = static_cast<int>(bin - cumulative_.begin());
+    const glm::dvec2 center = grid.center(index % grid.columns, index / grid.columns);
+    return center + grid.pitch() * glm::dvec2(x - 0.5, y - 0.5);
+  }
+
   [[nodiscard]] PndfError error() const override { return bins_.error; }
 
  private:
-  SurfaceSampler sampler_;
   PndfImage bins_;
+  std::vector<double> cumulative_;
 };
 
 }  // namespace
@@ -110,7 +124,7 @@ FootprintPndf& BinnedPndf::at(const Footprint& footprint, PndfWorkspace& workspa
   const PndfGrid grid = fitted_window(surface_, footprint, intrinsic_roughness_, settings_.bins);
   JobControl control;
   std::optional<PndfImage> bins = image(footprint, grid, control);
-  return workspace.emplace<BinnedFootprint>(*this, footprint, std::move(*bins));
+  return workspace.emplace<BinnedFootprint>(std::move(*bins));
 }
 
 std::optional<PndfImage> BinnedPndf::image(const Footprint& footprint, const PndfGrid& grid,

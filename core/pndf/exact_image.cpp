@@ -18,9 +18,9 @@
 namespace glint {
 namespace {
 
-constexpr double k_cut = 6;
 constexpr std::size_t k_shares = 16;             // private sums of a band, added in order
 constexpr std::size_t k_band_cells = 1U << 20U;  // so that the private sums stay below 16 x 8 MB
+constexpr double k_flat_spread = 1e-4;           // normals so near each other, in deviations, are one
 constexpr double k_longest_panel = 4;            // standard deviations
 constexpr double k_cells_per_point = 100;        // a splatted point costs as much as …
 constexpr double k_points_per_kernel = 5;        // … this share of one kernel evaluation
@@ -53,7 +53,10 @@ RayRule ray_rule(const WhitenedTriangle& shape) {
                                          std::abs(shape.r11)};
   const auto shortest = std::min_element(lengths.begin(), lengths.end());
   const double longest = *std::max_element(lengths.begin(), lengths.end());
-  const auto panels = [](double length) { return std::max(1, static_cast<int>(std::ceil(length / k_longest_panel))); };
+  // A triangle that needs a million panels is evaluated cell by cell anyway.
+  const auto panels = [](double length) {
+    return static_cast<int>(std::clamp(std::ceil(length / k_longest_panel), 1.0, 1e6));
+  };
   const int along = panels(longest);
   const int across = panels(*shortest);
   return {static_cast<std::size_t>(shortest - lengths.begin()), along, image_points(longest / along), across,
@@ -90,10 +93,11 @@ class ExactImage {
         footprint_{reduced_center(cells_.surface().map(), footprint.center), footprint.covariance},
         window_(footprint_.covariance),
         grid_(grid),
+        cut_(model.image_cut()),
         widening_(widening_for(grid, model.intrinsic_roughness())) {
     const double variance = model.intrinsic_roughness() * model.intrinsic_roughness();
     roughness_ = {std::sqrt(variance + widening_.x), std::sqrt(variance + widening_.y)};
-    if (FoldedFootprint::pays(cells_.surface().map(), footprint_.covariance, k_cut)) {
+    if (FoldedFootprint::pays(cells_.surface().map(), footprint_.covariance, cut_)) {
       folded_ = std::make_unique<FoldedFootprint>(cells_.surface().map(), footprint_, cells_.border());
     }
   }
@@ -102,13 +106,15 @@ class ExactImage {
     PndfImage image;
     image.grid = grid_;
     image.widening = widening_;
-    const double half = 0.5 * k_cut * k_cut;
-    image.error = {PndfError::Kind::bounded, std::exp(-half) * (1 + half)};
     image.density.resize(grid_.cells());
     const int band_rows = std::max(1, static_cast<int>(k_band_cells / static_cast<std::size_t>(grid_.columns)));
     for (int first = 0; first < grid_.rows; first += band_rows) {
       if (!compute_band(first, std::min(band_rows, grid_.rows - first), image, control)) return std::nullopt;
     }
+    // What the cut loses is bounded as a share of the whole mass; the error is relative to what the window holds.
+    const double half = 0.5 * cut_ * cut_;
+    const double held = integral(image);
+    if (held > 0) image.error = {PndfError::Kind::bounded, std::exp(-half) * (1 + half) / held};
     return image;
   }
 
@@ -146,7 +152,7 @@ class ExactImage {
   void splat_share(VisitShare share, const NormalBox& band, PointSplatter& out, JobControl& control) const {
     CellVertices vertices;
     if (folded_) {
-      const auto keep = [&](const NormalBox& box) { return squared_gap(box, band) < k_cut * k_cut; };
+      const auto keep = [&](const NormalBox& box) { return squared_gap(box, band) < cut_ * cut_; };
       visit_period(cells_, share, keep, [&](CellIndex cell) {
         if (control.cancelled()) return;
         cells_.vertices(cell, {{0, 1}, {0, 1}}, vertices);
@@ -156,17 +162,38 @@ class ExactImage {
       return;
     }
     visit_cells(
-        cells_, window_, footprint_.center, k_cut, share, [&](const NormalBox& box) { return squared_gap(box, band); },
-        [&](CellIndex cell, const OffsetBox& box, double) {
+        cells_, window_, footprint_.center, cut_, share, [&](const NormalBox& box) { return squared_gap(box, band); },
+        [&](CellIndex cell, const OffsetBox& box) {
           if (control.cancelled()) return;
           cells_.vertices(cell, box, vertices);
+          if (splat_flat(vertices, out)) return;
           vertices.for_each_triangle([&](const SurfaceTriangle& triangle) { splat(triangle, out); });
         });
   }
 
+  // A cell whose normals are all but equal is one point: its share of the footprint at its mean normal. To second order
+  // in the spread (in units of the roughness) nothing is lost.
+  bool splat_flat(const CellVertices& vertices, PointSplatter& out) const {
+    const NormalBox box = vertices.normal_box();
+    const glm::dvec2 spread = (box.hi - box.lo) / roughness_;
+    if (spread.x > k_flat_spread || spread.y > k_flat_spread) return false;
+    const glm::dvec2 size{vertices.box.x.hi - vertices.box.x.lo, vertices.box.y.hi - vertices.box.y.lo};
+    const glm::dvec2 corner{vertices.box.x.lo, vertices.box.y.lo};
+    const glm::dvec2 opposite{vertices.box.x.hi, vertices.box.y.hi};
+    const double squared = window_.squared_distance(vertices.box);
+    double share = 0;
+    for (const SurfaceTriangle& half :
+         {SurfaceTriangle{corner, size.x, size.y, {}}, SurfaceTriangle{opposite, -size.x, -size.y, {}}}) {
+      // Equal normals, queried where they are: the kernel is the footprint's share times the roughness' peak.
+      share += TriangleKernel(half, window_.whitening(), glm::dvec2(1)).density({0, 0}, cut_);
+    }
+    out.add(2 * std::numbers::pi * share, 0.5 * (box.lo + box.hi), std::sqrt(std::max(0.0, cut_ * cut_ - squared)));
+    return true;
+  }
+
   void splat(const SurfaceTriangle& triangle, PointSplatter& out) const {
     const double squared_u = window_.squared_distance(triangle.offsets());
-    const double room = k_cut * k_cut - squared_u;
+    const double room = cut_ * cut_ - squared_u;
     if (room <= 0) return;
     const TriangleKernel kernel(triangle, window_.whitening(), roughness_);
     const RayRule rule = ray_rule(kernel.shape());
@@ -175,7 +202,7 @@ class ExactImage {
     if (rule.points() > k_cells_per_point) {
       const double cells = out.count_cells(box.lo - reach, box.hi + reach);
       if (rule.points() > k_points_per_kernel * cells) {
-        out.add_cells(box.lo - reach, box.hi + reach, [&](glm::dvec2 s) { return kernel.density(s, k_cut); });
+        out.add_cells(box.lo - reach, box.hi + reach, [&](glm::dvec2 s) { return kernel.density(s, cut_); });
         return;
       }
     }
@@ -187,9 +214,9 @@ class ExactImage {
       const glm::dvec2 offset = triangle.corner + glm::dvec2(triangle.du * simplex.x, triangle.dv * simplex.y);
       const glm::dvec2 white = window_.whitening().apply(offset);
       const double squared = white.x * white.x + white.y * white.y;
-      if (squared >= k_cut * k_cut) return;
+      if (squared >= cut_ * cut_) return;
       out.add(scale * weight * std::exp(-0.5 * squared),
-              triangle.normals[0] + simplex.x * along_u + simplex.y * along_v, std::sqrt(k_cut * k_cut - squared));
+              triangle.normals[0] + simplex.x * along_u + simplex.y * along_v, std::sqrt(cut_ * cut_ - squared));
     });
   }
 
@@ -199,11 +226,11 @@ class ExactImage {
     rule.points_along = std::max(rule.points_along, 3);  // the folded footprint is smooth but not constant
     rule.points_across = std::max(rule.points_across, 3);
     const NormalBox box = triangle.normal_box();
-    const glm::dvec2 reach = k_cut * roughness_;
+    const glm::dvec2 reach = cut_ * roughness_;
     if (rule.points() > k_cells_per_point &&
         rule.points() > k_points_per_kernel * out.count_cells(box.lo - reach, box.hi + reach)) {
       out.add_cells(box.lo - reach, box.hi + reach,
-                    [&](glm::dvec2 s) { return weighted_density(triangle, s, roughness_, k_cut, weight_of); });
+                    [&](glm::dvec2 s) { return weighted_density(triangle, s, roughness_, cut_, weight_of); });
       return;
     }
     const double area = std::abs(triangle.du * triangle.dv);
@@ -211,7 +238,7 @@ class ExactImage {
       const glm::dvec2 position = triangle.corner + glm::dvec2(triangle.du * simplex.x, triangle.dv * simplex.y);
       const glm::dvec2 normal = triangle.normals[0] + simplex.x * (triangle.normals[1] - triangle.normals[0]) +
                                 simplex.y * (triangle.normals[2] - triangle.normals[0]);
-      out.add(area * weight * weight_of(position), normal, k_cut);
+      out.add(area * weight * weight_of(position), normal, cut_);
     });
   }
 
@@ -219,6 +246,7 @@ class ExactImage {
   Footprint footprint_;
   FootprintWindow window_;
   PndfGrid grid_;
+  double cut_;
   glm::dvec2 widening_;
   glm::dvec2 roughness_{0, 0};
   std::unique_ptr<FoldedFootprint> folded_;

@@ -15,9 +15,8 @@ namespace {
 
 constexpr double k_first_cut = 8.5;
 constexpr double k_first_folded_cut = 7.5;
-constexpr double k_widest_cut = 40;            // exp(-800): beyond it a double holds nothing
-constexpr double k_widest_footprint_cut = 12;  // of the footprint alone, when the query is far out in the tail
-constexpr double k_truncation = 1e-9;          // largest neglected share of a value
+constexpr double k_widest_cut = 40;    // exp(-800): beyond it a double holds nothing
+constexpr double k_truncation = 1e-9;  // largest neglected share of a value
 
 // What a joint cut neglects of D_P(s) is at most G_r(0) exp(-R^2 / 2) (1 + R^2 / 2), whatever the surface is: in the
 // plane of whitened offsets, exp(-d_s^2 / 2) <= exp(-max(0, R^2 - d_u^2) / 2) outside the cut.
@@ -47,7 +46,10 @@ class ExactFootprint final : public FootprintPndf {
     return SurfaceSampler(model_.cells().surface(), footprint_, model_.intrinsic_roughness()).sample(random);
   }
 
-  [[nodiscard]] PndfError error() const override { return {PndfError::Kind::bounded, k_truncation}; }
+  [[nodiscard]] PndfError error() const override {
+    // The series and polynomials of a folded footprint are good to their rounding, which nobody has bounded.
+    return {folded_ ? PndfError::Kind::estimated : PndfError::Kind::bounded, k_truncation};
+  }
 
  private:
   [[nodiscard]] double evaluate_one(glm::dvec2 s) const {
@@ -76,12 +78,10 @@ class ExactFootprint final : public FootprintPndf {
     const double limit = cut * cut;
     CellVertices vertices;
     double sum = 0;
-    const double footprint_cut = std::min(cut, k_widest_footprint_cut);
-    const double slack = limit - footprint_cut * footprint_cut;
     visit_cells(
-        model_.cells(), window_, footprint_.center, footprint_cut, {},
-        [&](const NormalBox& box) { return std::max(0.0, box.squared_distance(s, roughness) - slack); },
-        [&](CellIndex cell, const OffsetBox& box, double) {
+        model_.cells(), window_, footprint_.center, cut, {},
+        [&](const NormalBox& box) { return box.squared_distance(s, roughness); },
+        [&](CellIndex cell, const OffsetBox& box) {
           model_.cells().vertices(cell, box, vertices);
           double cell_sum = 0;
           vertices.for_each_triangle([&](const SurfaceTriangle& triangle) {
@@ -124,7 +124,8 @@ class ExactFootprint final : public FootprintPndf {
 
 ExactPndf::ExactPndf(Surface surface, double intrinsic_roughness, ExactSettings settings)
     : cells_(std::move(surface), settings.subdivision, settings.vertex_shift),
-      intrinsic_roughness_(intrinsic_roughness) {}
+      intrinsic_roughness_(intrinsic_roughness),
+      image_cut_(settings.image_cut) {}
 
 PndfModelInfo ExactPndf::info() const {
   return {"exact", cells_.surface().interpolation(), "exact for its triangles, in double precision", cells_.bytes()};

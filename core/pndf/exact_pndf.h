@@ -12,10 +12,12 @@ namespace glint {
 struct ExactSettings {
   int subdivision = 4;        ///< smooth surface: sub-cells per axis and texel; 4 is the 32-triangle map
   bool vertex_shift = false;  ///< smooth surface: vertices moved so that the triangles lose their O(h^2) bias
+  double image_cut = 6;       ///< images: the joint cut R; exp(-R^2 / 2) (1 + R^2 / 2) of the mass is lost
 };
 
 /// Evaluation at single normals cuts where the neglected rest is below 1e-9 of the value (it widens its cut until that
-/// holds); images cut jointly at d_u^2 + d_s^2 < 36, which loses exp(-18) 19 = 2.9e-7 of the mass.
+/// holds). Images cut jointly at d_u^2 + d_s^2 < R^2; R = 6 loses 2.9e-7 of the mass. A folded footprint (see
+/// FoldedFootprint) has absolute accuracy: 1e-9 of a value holds while that is above 1e-6 of the peak.
 class ExactPndf final : public PndfModel {
  public:
   /// `intrinsic_roughness` is sigma_r in (0, 1].
@@ -28,10 +30,12 @@ class ExactPndf final : public PndfModel {
 
   [[nodiscard]] const SurfaceCells& cells() const { return cells_; }
   [[nodiscard]] double intrinsic_roughness() const { return intrinsic_roughness_; }
+  [[nodiscard]] double image_cut() const { return image_cut_; }
 
  private:
   SurfaceCells cells_;
   double intrinsic_roughness_;
+  double image_cut_;
 };
 
 }  // namespace glint

@@ -58,6 +58,7 @@ PndfGrid fitted_window(const Surface& surface, const Footprint& footprint, doubl
   const Range along_t = trimmed_range(t);
   const double margin = k_roughness_margin * intrinsic_roughness;
   double side = std::max(along_s.hi - along_s.lo, along_t.hi - along_t.lo) + 2 * margin;
+  side = std::max(side, 1e-11 * cells);  // cells that a grid allows
   const double step = round_step(std::min(side, 2.0));
   side = std::min(2.0, step * std::ceil(side / step) + step);
   const auto place = [&](Range range) {

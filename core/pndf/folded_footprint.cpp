@@ -10,7 +10,7 @@
 namespace glint {
 namespace {
 
-constexpr double k_least_deviation = 32;  // texels
+constexpr double k_least_deviation = 20;  // texels
 constexpr double k_least_exponent = 45;
 constexpr std::size_t k_samples = 10;  // corners per axis from which a cell's polynomial is made: -4 … 5
 constexpr std::int64_t k_samples_before = 4;
@@ -92,7 +92,7 @@ double CellPolynomial::operator()(glm::dvec2 position) const {
     for (std::size_t column = k_terms; column-- > 0;) line = line * x + coefficients_[row][column];
     sum = sum * y + line;
   }
-  return sum;
+  return std::max(sum, 0.0);
 }
 
 bool FoldedFootprint::pays(const NormalMap& map, const SymmetricMatrix2& covariance, double cut) {

@@ -1,6 +1,6 @@
 #pragma once
-// A footprint wider than a map that repeats, folded into one period: F(u) = sum over all periods of G_p(u + k L). Never
-// more than width x height cells are visited, however wide the footprint is.
+// A footprint wider than a map that repeats, folded into one period: F(u) = sum over all periods of G_p(u + k L). Then
+// width x height cells are visited, however wide the footprint is.
 
 #include <array>
 #include <cstdint>
@@ -13,7 +13,8 @@
 
 namespace glint {
 
-/// F over one cell as a polynomial of degree 5 in each coordinate, relative to the cell's middle.
+/// F over one cell as a polynomial of degree 5 in each coordinate, relative to the cell's middle. Never negative; its
+/// error is a share of F's largest value, not of F there.
 class CellPolynomial {
  public:
   static constexpr std::size_t k_terms = 6;
@@ -31,7 +32,7 @@ class CellPolynomial {
 class FoldedFootprint {
  public:
   /// True where folding is both cheaper than visiting the periods one by one and accurate: the map repeats, the ellipse
-  /// of `cut` deviations covers it four times over, and its narrowest deviation is at least 32 texels (then the
+  /// of `cut` deviations covers it four times over, and its narrowest deviation is at least 20 texels (then the
   /// polynomial's error is below 2e-11 of F's largest value).
   static bool pays(const NormalMap& map, const SymmetricMatrix2& covariance, double cut);
 

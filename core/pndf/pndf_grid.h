@@ -57,7 +57,7 @@ struct PndfImage {
   glm::dvec2 widening{0, 0};           ///< variance added to sigma_r^2 along s and t: pitch^2 / 12, or 0
   PndfError error;
   std::size_t invalid_samples = 0;  ///< Monte Carlo only: draws outside the unit disk
-  std::size_t outside_samples = 0;  ///< Monte Carlo only: draws inside the disk but outside the window
+  std::size_t outside_samples = 0;  ///< Monte Carlo only: draws outside the window, valid or not
 };
 
 /// The variance by which an image widens sigma_r^2 on each axis: pitch^2 / 12 where sigma_r < 0.6 pitch, else 0.

@@ -35,11 +35,12 @@ class FootprintPndf {
   /// density[k] = D_P(s[k]), per unit of disk area; the spans have equal sizes. Never negative, NaN or infinite.
   virtual void evaluate(std::span<const glm::dvec2> s, std::span<double> density) const = 0;
 
-  /// A projected normal drawn from D_P. Outside the unit disk it is an invalid normal, which contributes nothing.
+  /// A projected normal drawn with density pdf(). Outside the unit disk it is an invalid normal, which contributes
+  /// nothing.
   [[nodiscard]] virtual glm::dvec2 sample(RandomStream& random) const = 0;
 
-  /// The density of sample() at s.
-  [[nodiscard]] double pdf(glm::dvec2 s) const {
+  /// The density of sample() at s: D_P(s), unless a method says otherwise.
+  [[nodiscard]] virtual double pdf(glm::dvec2 s) const {
     double density = 0;
     evaluate({&s, 1}, {&density, 1});
     return density;

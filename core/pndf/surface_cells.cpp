@@ -121,9 +121,9 @@ NormalBox SurfaceCells::texel_box(std::int64_t i0, std::int64_t i1, std::int64_t
     for (std::int64_t i = i0 - before; i <= i1 + after; ++i) box.include(glm::dvec2(surface_.map().texel(i, j)));
   }
   if (interpolation != Interpolation::smooth) return box;
-  // |n_uu| and |n_vv| stay below 7.5 ranges, |n_uv| below 2.25: see the weights in catmull_rom.h.
+  // The sum of the weights of n_uu + n_vv - n_uv in absolute value is 25 at most: 12.5 ranges to either side.
   const double h = 1.0 / subdivision_;
-  const double share = k_catmull_rom_overshoot + (vertex_shift_ ? h * h / 12 * 17.25 : 0.0);
+  const double share = k_catmull_rom_overshoot + (vertex_shift_ ? h * h / 12 * 12.5 : 0.0);
   const glm::dvec2 margin = share * (box.hi - box.lo);
   return {box.lo - margin, box.hi + margin};
 }

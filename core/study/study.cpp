@@ -106,16 +106,19 @@ Result<std::vector<StudyResult>> run_study(const Document& document, const Surfa
   const Error cancelled = content_error("study", "cancelled");
   const PndfGrid grid = document_grid(document, surface);
   if (const auto fault = grid_fault(grid)) return request_error("grid.window", *fault);
-  std::map<Interpolation, ReferenceImage> references;
+  std::map<std::pair<Interpolation, CellContent>, ReferenceImage> references;
   std::vector<StudyResult> results;
   for (const PndfMethod method : document.methods) {
     PndfImage image;
     std::optional<StudyResult> result = time_method(document, method, surface, grid, settings, control, image);
     if (!result) return cancelled;
-    const Interpolation wanted = settings.reference_surface.value_or(surface.interpolation());
+    // A method of counts holds means over its cells and is held against such.
+    const CellContent content = image.standard_error.empty() ? CellContent::point : CellContent::mean;
+    const std::pair wanted{settings.reference_surface.value_or(surface.interpolation()), content};
     if (!references.contains(wanted)) {
-      std::optional<ReferenceImage> made = reference_image(
-          Surface(surface.shared_map(), wanted), document.intrinsic_roughness, document.footprint, grid, control);
+      std::optional<ReferenceImage> made =
+          reference_image(Surface(surface.shared_map(), wanted.first), document.intrinsic_roughness, document.footprint,
+                          grid, content, control);
       if (!made) return cancelled;
       references.emplace(wanted, std::move(*made));
     }

@@ -115,10 +115,8 @@ TEST(Parameters, TakeNoneWhereNoneIsAllowed) {
 }
 
 TEST(Parameters, RefuseWhatIsOutOfRangeAndSayWhatIsAllowed) {
-  EXPECT_EQ(set_error("intrinsic_roughness", 0.0),
-            "intrinsic_roughness: is 0; allowed: a number above 0 and at most 1");
-  EXPECT_EQ(set_error("intrinsic_roughness", 1.5),
-            "intrinsic_roughness: is 1.5; allowed: a number above 0 and at most 1");
+  EXPECT_EQ(set_error("intrinsic_roughness", 0.0), "intrinsic_roughness: is 0; allowed: a number from 1e-09 to 1");
+  EXPECT_EQ(set_error("intrinsic_roughness", 1.5), "intrinsic_roughness: is 1.5; allowed: a number from 1e-09 to 1");
   EXPECT_EQ(set_error("surface.height_scale", 0.0),
             "surface.height_scale: is 0; allowed: a number from -1000000 to 1000000, not 0, or null");
   EXPECT_EQ(set_error("grid.size", -3.0), "grid.size: is -3; allowed: a whole number from 1 to 16384");

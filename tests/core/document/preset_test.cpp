@@ -216,13 +216,13 @@ TEST(PresetErrors, NameTheNearestFieldForAnUnknownOne) {
 
 TEST(PresetErrors, SayWhatIsAllowedWhereTheValueStands) {
   EXPECT_EQ(fault_of(preset_with("\"intrinsic_roughness\": 1.5")),
-            "p.json:3:26: field 'intrinsic_roughness': is 1.5; allowed: a number above 0 and at most 1");
+            "p.json:3:26: field 'intrinsic_roughness': is 1.5; allowed: a number from 1e-09 to 1");
   EXPECT_EQ(fault_of(preset_with("\"intrinsic_roughness\": \"rough\"")),
-            "p.json:3:26: field 'intrinsic_roughness': is \"rough\"; allowed: a number above 0 and at most 1");
+            "p.json:3:26: field 'intrinsic_roughness': is \"rough\"; allowed: a number from 1e-09 to 1");
   EXPECT_EQ(fault_of(preset_with("\"intrinsic_roughness\": true")),
-            "p.json:3:26: field 'intrinsic_roughness': is true; allowed: a number above 0 and at most 1");
+            "p.json:3:26: field 'intrinsic_roughness': is true; allowed: a number from 1e-09 to 1");
   EXPECT_EQ(fault_of(preset_with("\"intrinsic_roughness\": [0.1]")),
-            "p.json:3:26: field 'intrinsic_roughness': is [0.1]; allowed: a number above 0 and at most 1");
+            "p.json:3:26: field 'intrinsic_roughness': is [0.1]; allowed: a number from 1e-09 to 1");
   EXPECT_EQ(fault_of(preset_with("\"grid\": {\"size\": -4}")),
             "p.json:3:20: field 'grid.size': is -4; allowed: a whole number from 1 to 16384");
   EXPECT_EQ(fault_of(preset_with("\"surface\":\n\t{\"wrap\":\n\"mirror\"}")),

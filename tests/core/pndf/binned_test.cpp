@@ -132,6 +132,30 @@ TEST(BinnedPndf, CountsInvalidNormalsAndThoseOutsideTheWindow) {
   EXPECT_NEAR(integral(cut), 1 - static_cast<double>(cut.outside_samples) / samples, 1e-12);
 }
 
+TEST(BinnedPndf, SamplesWhatItEvaluates) {
+  const BinnedPndf model(Surface(test::wavy_map(16, 16, Wrap::repeat), Interpolation::smooth), 0.02, {20'000, 3, 8});
+  PndfWorkspace workspace;
+  const FootprintPndf& pndf = model.at(isotropic_footprint({3, 4}, 2), workspace);
+  RandomStream random(5, 0);
+  // The mean of 1 / pdf over samples is the area of the bins that are not empty; no sample has density 0.
+  const PndfGrid window = fitted_window(model.surface(), isotropic_footprint({3, 4}, 2), 0.02, 8);
+  double area = 0;
+  for (int row = 0; row < 8; ++row) {
+    for (int column = 0; column < 8; ++column)
+      area += pndf.pdf(window.center(column, row)) > 0 ? window.cell_area() : 0;
+  }
+  constexpr int draws = 40'000;
+  double mean = 0;
+  double squares = 0;
+  for (int k = 0; k < draws; ++k) {
+    const double density = pndf.pdf(pndf.sample(random));
+    ASSERT_GT(density, 0);
+    mean += 1 / density / draws;
+    squares += 1 / (density * density) / draws;
+  }
+  EXPECT_NEAR(mean, area, 5 * std::sqrt((squares - mean * mean) / draws));
+}
+
 TEST(BinnedPndf, IsTheSameBytesForAnyNumberOfThreadsAndOthersForOtherSeeds) {
   const Surface surface(test::rough_map(16, 16, Wrap::repeat), Interpolation::smooth);
   const Footprint footprint = isotropic_footprint({3, 4}, 2);

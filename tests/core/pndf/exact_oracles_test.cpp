@@ -334,6 +334,35 @@ TEST(ExactPndf, CountsAQueryOnASharedVertexOrEdgeOnce) {
   }
 }
 
+// Far out in the tail of a narrow lobe, only positions far outside the footprint have the normal that is asked for.
+TEST(ExactPndf, KeepsItsAccuracyWhereOnlyDistantPositionsContribute) {
+  const glm::dmat2 j = dyadic(64, 0, 0, 0);
+  constexpr double roughness = 1e-3;
+  const ExactPndf model(Surface(ramp_map({-0.5, 0}, j), Interpolation::linear), roughness);
+  const Footprint footprint = isotropic_footprint({64, 64}, 1);
+  const SymmetricMatrix2 lobe = lobe_of_ramp(j, footprint.covariance, roughness);
+  for (const double deviations : {8.0, 13.0, 20.0, 30.0}) {
+    const glm::dvec2 offset{deviations * std::sqrt(lobe.xx), 0};
+    EXPECT_NEAR(density_of(model, footprint, offset) / test::slow_normal_density(offset, lobe), 1, 1e-9) << deviations;
+  }
+}
+
+// Across the map this footprint all but vanishes: its Fourier series is rounding there, and must not go below zero.
+TEST(ExactPndf, OfAFoldedFootprintIsNeverNegative) {
+  const MapPointer map = test::map_of(8, 1600, Wrap::repeat, [](int, int row) { return glm::dvec2(row / 2000.0, 0); });
+  const Footprint footprint{{4, 800}, {1e8, 0, 1056.25}};
+  ASSERT_TRUE(FoldedFootprint::pays(*map, footprint.covariance, 8.5));
+  const ExactPndf model(Surface(map, Interpolation::constant), 1e-5);
+  const double peak = density_of(model, footprint, {0.4, 0});
+  EXPECT_NEAR(density_of(model, footprint, {850 / 2000.0, 0}) / peak, std::exp(-0.5 * (50.5 * 50.5 - 0.25) / 1056.25),
+              1e-8);
+  for (int row = 0; row < 1600; row += 7) {
+    const double density = density_of(model, footprint, {row / 2000.0, 0});
+    EXPECT_GE(density, 0) << row;
+    EXPECT_LE(density, peak * (1 + 1e-9)) << row;
+  }
+}
+
 TEST(ExactPndf, OfAWideFootprintIsThatOfTheTiledMapUnfolded) {
   for (const Interpolation interpolation : k_surfaces) {
     const MapPointer map = test::wavy_map(100, 104, Wrap::repeat);

@@ -163,9 +163,9 @@ TEST(FoldedFootprint, HasMassOneOverOnePeriodHoweverWideItIs) {
 
 TEST(FoldedFootprint, PaysOnlyForWideFootprintsOnMapsThatRepeat) {
   const auto map = test::constant_map({0, 0}, Wrap::repeat, 32);
-  EXPECT_TRUE(FoldedFootprint::pays(*map, isotropic_footprint({0, 0}, 32.1).covariance, 8.5));
-  EXPECT_FALSE(FoldedFootprint::pays(*map, isotropic_footprint({0, 0}, 31.9).covariance, 8.5));
-  EXPECT_FALSE(FoldedFootprint::pays(*map, {1e6, 0, 900}, 8.5));  // too narrow for the polynomial
+  EXPECT_TRUE(FoldedFootprint::pays(*map, isotropic_footprint({0, 0}, 20.1).covariance, 8.5));
+  EXPECT_FALSE(FoldedFootprint::pays(*map, isotropic_footprint({0, 0}, 19.9).covariance, 8.5));
+  EXPECT_FALSE(FoldedFootprint::pays(*map, {1e6, 0, 300}, 8.5));  // too narrow for the polynomial
   EXPECT_FALSE(FoldedFootprint::pays(*test::constant_map({0, 0}, Wrap::clamp, 32), {1600, 0, 1600}, 8.5));
   EXPECT_FALSE(FoldedFootprint::pays(*test::constant_map({0, 0}, Wrap::repeat, 512), {1600, 0, 1600}, 8.5));
 }
