@@ -349,15 +349,15 @@ TEST(ExactPndf, KeepsItsAccuracyWhereOnlyDistantPositionsContribute) {
 
 // Across the map this footprint all but vanishes: its Fourier series is rounding there, and must not go below zero.
 TEST(ExactPndf, OfAFoldedFootprintIsNeverNegative) {
-  const MapPointer map = test::map_of(8, 1600, Wrap::repeat, [](int, int row) { return glm::dvec2(row / 2000.0, 0); });
+  const MapPointer map = test::map_of(8, 1600, Wrap::repeat, [](int, int row) { return glm::dvec2(row / 2048.0, 0); });
   const Footprint footprint{{4, 800}, {1e8, 0, 1056.25}};
   ASSERT_TRUE(FoldedFootprint::pays(*map, footprint.covariance, 8.5));
   const ExactPndf model(Surface(map, Interpolation::constant), 1e-5);
-  const double peak = density_of(model, footprint, {0.4, 0});
+  const double peak = density_of(model, footprint, {800 / 2048.0, 0});
   const auto row_mass = [](double row) { return normal_cdf((row + 1) / 32.5) - normal_cdf(row / 32.5); };
-  EXPECT_NEAR(density_of(model, footprint, {850 / 2000.0, 0}) / peak / (row_mass(50) / row_mass(0)), 1, 1e-8);
+  EXPECT_NEAR(density_of(model, footprint, {850 / 2048.0, 0}) / peak / (row_mass(50) / row_mass(0)), 1, 1e-8);
   for (int row = 0; row < 1600; row += 7) {
-    const double density = density_of(model, footprint, {row / 2000.0, 0});
+    const double density = density_of(model, footprint, {row / 2048.0, 0});
     EXPECT_GE(density, 0) << row;
     EXPECT_LE(density, peak * (1 + 1e-9)) << row;
   }
