@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/math/parallel.h"
+#include "core/math/result.h"
 
 namespace glint::gui {
 
@@ -18,8 +19,8 @@ class Command {
 
   /// True if the words named this command.
   [[nodiscard]] virtual bool chosen() const = 0;
-  /// Does the work; the exit status.
-  virtual int run(JobControl& control) = 0;
+  /// Does the work; its error, if any, is printed by the caller.
+  virtual Status run(JobControl& control) = 0;
 };
 
 std::unique_ptr<Command> add_pndf_command(CLI::App& app);

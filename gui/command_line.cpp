@@ -49,9 +49,14 @@ int parse_and_run(const std::vector<std::string>& arguments, JobControl& control
     return report_parse_error(app, error);
   }
   const auto chosen = std::find_if(commands.begin(), commands.end(), [](const auto& c) { return c->chosen(); });
-  if (chosen != commands.end()) return (*chosen)->run(control);
-  write_result(app.help());
-  return 0;
+  if (chosen == commands.end()) {
+    write_result(app.help());
+    return 0;
+  }
+  const Status done = (*chosen)->run(control);
+  if (done) return 0;
+  if (!control.cancelled()) print_error(done.error());
+  return exit_status(done.error());
 }
 
 }  // namespace

@@ -54,15 +54,9 @@ class GenerateCommand final : public Command {
 
   [[nodiscard]] bool chosen() const override { return app_.parsed(); }
 
-  int run(JobControl& control) override {
-    for (const Kind& kind : kinds_) {
-      if (!kind.app->parsed()) continue;
-      const Status done = generate(kind, control);
-      if (done) return 0;
-      if (!control.cancelled()) print_error(done.error());
-      return exit_status(done.error());
-    }
-    return k_request_status;
+  Status run(JobControl& control) override {
+    const auto kind = std::find_if(kinds_.begin(), kinds_.end(), [](const Kind& k) { return k.app->parsed(); });
+    return generate(*kind, control);  // the parser requires one
   }
 
  private:

@@ -67,15 +67,7 @@ class PndfCommand final : public Command {
 
   [[nodiscard]] bool chosen() const override { return app_.parsed(); }
 
-  int run(JobControl& control) override {
-    const Status done = run_checked(control);
-    if (done) return 0;
-    if (!control.cancelled()) print_error(done.error());
-    return exit_status(done.error());
-  }
-
- private:
-  Status run_checked(JobControl& control) {
+  Status run(JobControl& control) override {
     Result<Document> document = options_.document();
     if (!document) return document.error();
     const Result<std::optional<int>> threads = options_.threads();
@@ -95,6 +87,7 @@ class PndfCommand final : public Command {
                              : answer(*document, loaded->surface, *queries, control);
   }
 
+ private:
   Status answer(const Document& document, const Surface& surface, const std::vector<glm::dvec2>& queries,
                 JobControl& control) {
     std::size_t outside = 0;

@@ -24,12 +24,7 @@ class PresetsCommand final : public Command {
 
   [[nodiscard]] bool chosen() const override { return app_.parsed(); }
 
-  int run(JobControl& /*control*/) override {
-    const Status done = list_.parsed() ? list() : show_.parsed() ? show() : check();
-    if (done) return 0;
-    print_error(done.error());
-    return exit_status(done.error());
-  }
+  Status run(JobControl& /*control*/) override { return list_.parsed() ? list() : show_.parsed() ? show() : check(); }
 
  private:
   static Status list() {

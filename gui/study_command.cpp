@@ -71,11 +71,27 @@ class StudyCommand final : public Command {
 
   [[nodiscard]] bool chosen() const override { return app_.parsed(); }
 
-  int run(JobControl& control) override {
-    const Status done = run_checked(control);
-    if (done) return 0;
-    if (!control.cancelled()) print_error(done.error());
-    return exit_status(done.error());
+  Status run(JobControl& control) override {
+    Result<Document> document = options_.document();
+    if (!document) return document.error();
+    const Result<StudySettings> asked = settings();
+    if (!asked) return asked.error();
+    const Result<LoadedSurface> loaded = prepare_surface(options_, *document, control);
+    if (!loaded) return loaded.error();
+    Result<std::vector<StudyResult>> results = std::vector<StudyResult>();
+    {
+      const ProgressBar bar(control, options_.quiet());
+      results = run_study(*document, loaded->surface, *asked, control);
+    }
+    if (!results) return options_.with_flag(results.error());
+    say_short_counts(*results);
+    const int threads = std::min(asked->threads.value_or(thread_count()), thread_count());
+    if (options_.json()) {
+      print_json(*document, *results, threads);
+    } else {
+      print_table(*results, threads);
+    }
+    return success();
   }
 
  private:
@@ -98,29 +114,6 @@ class StudyCommand final : public Command {
       }
     }
     return settings;
-  }
-
-  Status run_checked(JobControl& control) {
-    Result<Document> document = options_.document();
-    if (!document) return document.error();
-    const Result<StudySettings> asked = settings();
-    if (!asked) return asked.error();
-    const Result<LoadedSurface> loaded = prepare_surface(options_, *document, control);
-    if (!loaded) return loaded.error();
-    Result<std::vector<StudyResult>> results = std::vector<StudyResult>();
-    {
-      const ProgressBar bar(control, options_.quiet());
-      results = run_study(*document, loaded->surface, *asked, control);
-    }
-    if (!results) return options_.with_flag(results.error());
-    say_short_counts(*results);
-    const int threads = std::min(asked->threads.value_or(thread_count()), thread_count());
-    if (options_.json()) {
-      print_json(*document, *results, threads);
-    } else {
-      print_table(*results, threads);
-    }
-    return success();
   }
 
   // The figure is defined over 10^4 normals: fewer must be loud.
