@@ -49,6 +49,7 @@ void Canvas::outline(int x, int y, int width, int height, DisplayColor color) {
 }
 
 void Canvas::text(int x, int y, const std::string& line, int size, DisplayColor color, Align align, Face face) {
+  if (line.empty()) return;  // it has no extent
   const std::string font = font_file(face);
   const OIIO::ROI extent = font.empty() ? OIIO::ROI() : OIIO::ImageBufAlgo::text_size(line, size, font);
   if (!extent.defined()) {
