@@ -12,8 +12,8 @@
 namespace glint {
 namespace {
 
-Status write_png(const std::filesystem::path& path, int width, int height, OIIO::TypeDesc stored, OIIO::TypeDesc given,
-                 const void* pixels) {
+Status write_png(const std::filesystem::path& path, int width, int height, const OIIO::TypeDesc& stored,
+                 const OIIO::TypeDesc& given, const void* pixels) {
   OIIO::ImageSpec spec(width, height, 3, stored);
   spec.attribute("Software", "Glintscope");
   std::vector<unsigned char> bytes;
