@@ -15,7 +15,8 @@ namespace {
 
 constexpr double k_first_cut = 8.5;
 constexpr double k_first_folded_cut = 7.5;
-constexpr double k_widest_cut = 40;    // exp(-800): beyond it a double holds nothing
+constexpr double k_widest_cut = 40;  // exp(-800): beyond it a double holds nothing
+constexpr double k_folded_error = 1e-8;
 constexpr double k_truncation = 1e-9;  // largest neglected share of a value
 
 // What a joint cut neglects of D_P(s) is at most G_r(0) exp(-R^2 / 2) (1 + R^2 / 2), whatever the surface is: in the
@@ -48,7 +49,8 @@ class ExactFootprint final : public FootprintPndf {
 
   [[nodiscard]] PndfError error() const override {
     // The series and polynomials of a folded footprint are good to their rounding, which nobody has bounded.
-    return {folded_ ? PndfError::Kind::estimated : PndfError::Kind::bounded, k_truncation};
+    if (folded_) return {PndfError::Kind::estimated, k_folded_error};
+    return {PndfError::Kind::bounded, k_truncation};
   }
 
  private:

@@ -17,7 +17,7 @@ struct ExactSettings {
 
 /// Evaluation at single normals cuts where the neglected rest is below 1e-9 of the value (it widens its cut until that
 /// holds). Images cut jointly at d_u^2 + d_s^2 < R^2; R = 6 loses 2.9e-7 of the mass. A folded footprint (see
-/// FoldedFootprint) has absolute accuracy: 1e-9 of a value holds while that is above 1e-6 of the peak.
+/// FoldedFootprint) has absolute accuracy: 1e-8 of a value holds while that is above 1e-6 of the peak.
 class ExactPndf final : public PndfModel {
  public:
   /// `intrinsic_roughness` is sigma_r in (0, 1].
