@@ -3,8 +3,8 @@
 #include <unistd.h>
 #include <vector>
 
-#include "gui/command_line.h"
-#include "gui/interrupt.h"
+#include "gui/commandline/command_line.h"
+#include "gui/commandline/interrupt.h"
 
 namespace {
 

@@ -22,6 +22,12 @@ namespace glint {
 
 enum class SurfaceSource { file, noise, scratches };
 
+/// How densities become colours.
+enum class ColorScale { logarithmic, linear };
+
+/// What the colours of the map show: the normal, how steep it is, or how fast it turns.
+enum class MapColors { normal, slope, curvature };
+
 struct SurfaceDescription {
   SurfaceSource source = SurfaceSource::scratches;
   std::filesystem::path path;  ///< of the file, when source is file
@@ -42,15 +48,27 @@ struct GridDescription {
   friend bool operator==(const GridDescription&, const GridDescription&) = default;
 };
 
+/// How pictures look; nothing here changes what is computed.
+struct ViewSettings {
+  ColorScale density_scale = ColorScale::logarithmic;
+  std::optional<glm::dvec2> density_range;  ///< densities at the ends of the colour bar; none: fitted to the pictures
+  std::optional<double> difference_range;   ///< |difference| at the ends of its colour bar; none: fitted
+  MapColors map_colors = MapColors::normal;
+
+  friend bool operator==(const ViewSettings&, const ViewSettings&) = default;
+};
+
 struct Document {
   std::string name = "untitled";
   SurfaceDescription surface;
   Footprint footprint{{512, 512}, {25, 0, 25}};
   double intrinsic_roughness = 0.02;  ///< sigma_r
   std::vector<PndfMethod> methods{PndfMethod::exact};
+  bool exact_vertex_shift = false;  ///< see ExactSettings::vertex_shift
   std::uint64_t binning_samples = 1'000'000;
   GridDescription grid;
   std::uint64_t seed = 1;
+  ViewSettings view;
 
   friend bool operator==(const Document&, const Document&) = default;
 };

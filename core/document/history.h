@@ -38,6 +38,8 @@ class History {
   /// Whether the current document equals the one last saved, whichever way it was reached.
   [[nodiscard]] bool is_saved() const { return current() == saved_; }
   void mark_saved() { saved_ = current(); }
+  /// The document that counts as saved, for going back to it.
+  [[nodiscard]] const Document& saved() const { return saved_; }
 
  private:
   struct Step {

@@ -87,7 +87,7 @@ class FieldReader : public json::json_sax_t {
   [[nodiscard]] std::vector<LocatedField>& fields() { return fields_; }
 
   bool null() override { return take(std::monostate()); }
-  bool boolean(bool /*value*/) override { return take(std::nullopt); }
+  bool boolean(bool value) override { return take(value); }
   bool number_integer(number_integer_t value) override { return take(static_cast<double>(value)); }
   bool number_unsigned(number_unsigned_t value) override { return take(std::uint64_t{value}); }
   bool number_float(number_float_t value, const string_t& /*text*/) override { return take(value); }

@@ -22,7 +22,7 @@ struct LocatedField {
   TextPosition name_position;
   TextPosition value_position;
   bool is_object = false;
-  /// None for an object, and for what no field holds: true, false, a list of anything but only numbers or only texts.
+  /// None for an object, and for what no field holds: a list of anything but only numbers or only texts.
   std::optional<ParameterValue> value;
   std::string raw;  ///< the value as the text has it, shortened to fit an error
 };

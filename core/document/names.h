@@ -69,6 +69,19 @@ struct ChoiceNames<NoiseSettings::Spectrum> {
                                       std::pair{NoiseSettings::Spectrum::band, std::string_view("band")}};
 };
 
+template <>
+struct ChoiceNames<ColorScale> {
+  static constexpr std::array k_table{std::pair{ColorScale::logarithmic, std::string_view("log")},
+                                      std::pair{ColorScale::linear, std::string_view("linear")}};
+};
+
+template <>
+struct ChoiceNames<MapColors> {
+  static constexpr std::array k_table{std::pair{MapColors::normal, std::string_view("normal")},
+                                      std::pair{MapColors::slope, std::string_view("slope")},
+                                      std::pair{MapColors::curvature, std::string_view("curvature")}};
+};
+
 /// All names of a choice, in the order in which they are offered.
 template <class Choice>
 inline constexpr auto k_choice_names = [] {

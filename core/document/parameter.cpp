@@ -110,6 +110,8 @@ std::optional<ParameterValue> as_held(const Parameter& parameter, const Paramete
       return as_number(parameter.range, value);
     case ParameterKind::integer:
       return as_integer(parameter.integer_range, value);
+    case ParameterKind::flag:
+      return std::holds_alternative<bool>(value) ? std::optional(value) : std::nullopt;
     case ParameterKind::text:
     case ParameterKind::path:
     case ParameterKind::choice:
@@ -135,6 +137,7 @@ std::string numbers_allowed(const Parameter& parameter) {
 
 struct ValueText {
   std::string operator()(std::monostate) const { return "null"; }
+  std::string operator()(bool flag) const { return flag ? "true" : "false"; }
   std::string operator()(double number) const { return fmt::format("{}", number); }
   std::string operator()(std::uint64_t number) const { return fmt::format("{}", number); }
   std::string operator()(const std::string& text) const { return fmt::format("\"{}\"", one_line(text)); }
@@ -230,6 +233,9 @@ std::string Parameter::allowed() const {
       break;
     case ParameterKind::integer:
       text = fmt::format("a whole number from {} to {}", integer_range.lowest, integer_range.highest);
+      break;
+    case ParameterKind::flag:
+      text = "true or false";
       break;
     case ParameterKind::text:
       text = "text of one line";

@@ -1,6 +1,7 @@
 #pragma once
 // Every field of a document, declared once: name, unit, range, default, help and paper. The Inspector, presets, command
-// line, recipe, undo and help all follow from these declarations; a new field is one entry in parameter_table.cpp.
+// line, recipe, undo and help all follow from these declarations; a new field is one entry in one of the
+// *_parameters.cpp.
 
 #include <cstddef>
 #include <cstdint>
@@ -17,12 +18,13 @@
 namespace glint {
 
 /// The value of a field on its way in or out. `std::monostate` is "none".
-using ParameterValue =
-    std::variant<std::monostate, double, std::uint64_t, std::string, std::vector<double>, std::vector<std::string>>;
+using ParameterValue = std::variant<std::monostate, bool, double, std::uint64_t, std::string, std::vector<double>,
+                                    std::vector<std::string>>;
 
 enum class ParameterKind {
   number,   ///< double; or none, where may_be_none
   integer,  ///< std::uint64_t
+  flag,     ///< bool
   text,     ///< std::string: UTF-8 without control characters
   path,     ///< like text, may be empty
   choice,   ///< std::string, one of `choices`
@@ -42,6 +44,15 @@ struct IntegerRange {
   std::uint64_t highest = 0;
 };
 
+/// The part of a field's range that a slider spans; typed entries reach the whole range. Empty (0, 0): no slider.
+struct SliderRange {
+  double lowest = 0;
+  double highest = 0;
+  bool logarithmic = false;
+
+  [[nodiscard]] constexpr bool empty() const { return lowest == highest; }
+};
+
 /// How a field stands in a document; `set` expects a value that has been checked.
 struct ParameterAccess {
   ParameterValue (*get)(const Document&);
@@ -49,13 +60,15 @@ struct ParameterAccess {
 };
 
 struct Parameter {
-  std::string_view path;         ///< "surface.generator.rms_slope": the name in presets, scripts and recipes
-  std::string_view label;        ///< "RMS slope": the name in a window
-  std::string_view symbol = {};  ///< "sigma_r": the name in formulas, or empty
-  std::string_view unit = {};    ///< "texels", "degrees" …; empty: dimensionless
+  std::string_view path;              ///< "surface.generator.rms_slope": the name in presets, scripts and recipes
+  std::string_view label;             ///< "RMS slope": the name in a window
+  std::string_view short_label = {};  ///< "Roughness σ": for narrow columns, at most 12 characters; empty: the label
+  std::string_view symbol = {};       ///< "sigma_r": the name in formulas, or empty
+  std::string_view unit = {};         ///< "texels", "degrees" …; empty: dimensionless
   ParameterKind kind;
   NumberRange range = {};  ///< of a number, or of each of the numbers
   IntegerRange integer_range = {};
+  SliderRange slider = {};
   std::span<const std::string_view> choices = {};
   std::span<const std::string_view> components = {};  ///< names of the numbers of a list
   bool ascending = false;                             ///< each pair of the list is a shortest and a longest

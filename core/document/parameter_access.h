@@ -1,5 +1,5 @@
 #pragma once
-// Values in and out of the members of a document, for the declarations in parameter_table.cpp and nothing else. "In"
+// Values in and out of the members of a document, for the declarations and nothing else. "In"
 // expects what Parameter::checked() has let through.
 
 #include <cstdint>
@@ -17,6 +17,9 @@
 
 namespace glint {
 
+inline ParameterValue out_of(bool member) {
+  return member;
+}
 inline ParameterValue out_of(double member) {
   return member;
 }
@@ -41,6 +44,10 @@ inline ParameterValue out_of(const SymmetricMatrix2& member) {
 inline ParameterValue out_of(const std::optional<double>& member) {
   return member ? ParameterValue(*member) : ParameterValue(std::monostate());
 }
+inline ParameterValue out_of(const std::optional<glm::dvec2>& member) {
+  if (!member) return std::string("fit");
+  return out_of(*member);
+}
 inline ParameterValue out_of(const std::optional<glm::dvec4>& member) {
   if (!member) return std::string("fit");
   return std::vector<double>{member->x, member->y, member->z, member->w};
@@ -56,6 +63,9 @@ inline ParameterValue out_of(const Choice& member) {
   return std::string(choice_name(member));
 }
 
+inline void into(bool& member, const ParameterValue& value) {
+  member = std::get<bool>(value);
+}
 inline void into(double& member, const ParameterValue& value) {
   member = std::get<double>(value);
 }
@@ -82,6 +92,10 @@ inline void into(SymmetricMatrix2& member, const ParameterValue& value) {
 inline void into(std::optional<double>& member, const ParameterValue& value) {
   member.reset();
   if (const double* number = std::get_if<double>(&value)) member = *number;
+}
+inline void into(std::optional<glm::dvec2>& member, const ParameterValue& value) {
+  member.reset();
+  if (const auto* n = std::get_if<std::vector<double>>(&value)) member = {(*n)[0], (*n)[1]};
 }
 inline void into(std::optional<glm::dvec4>& member, const ParameterValue& value) {
   member.reset();

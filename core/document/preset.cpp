@@ -24,6 +24,7 @@ struct JsonValue {
   std::string_view separator;  // between the entries of a list
 
   std::string operator()(std::monostate) const { return "null"; }
+  std::string operator()(bool flag) const { return flag ? "true" : "false"; }
   std::string operator()(double number) const { return fmt::format("{}", number + 0.0); }  // -0 as 0
   std::string operator()(std::uint64_t number) const { return fmt::format("{}", number); }
   std::string operator()(const std::string& text) const { return json_text(text); }

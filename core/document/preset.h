@@ -32,6 +32,10 @@ Result<Document> parse_preset(std::string_view text, const std::string& subject)
 /// Reads a preset file of at most 1 MiB. A relative surface.path is taken from the preset's folder.
 Result<Document> load_preset(const std::filesystem::path& file);
 
+/// Reads a preset file, or an EXR with a recipe (by its extension). A recipe keeps surface.path as it was typed: a
+/// relative one is taken from the working directory, else, where it is only there, from the folder of the EXR.
+Result<Document> load_document(const std::filesystem::path& file);
+
 /// Writes a preset file, all or nothing. surface.path is written relative to the preset's folder where it lies below
 /// it, else absolute. A document with a fault is refused: it could not be loaded again.
 Status save_preset(const std::filesystem::path& file, const Document& document);

@@ -12,6 +12,7 @@
 #include "core/document/parameter.h"
 #include "core/document/preset.h"
 #include "core/image/atomic_file.h"
+#include "core/image/pndf_exr.h"
 
 namespace glint {
 namespace {
@@ -66,6 +67,21 @@ Result<Document> load_preset(const fs::path& file) {
   if (!document) return document;
   fs::path& map = document->surface.path;
   if (!map.empty() && map.is_relative()) map = file.parent_path() / map;
+  return document;
+}
+
+Result<Document> load_document(const fs::path& file) {
+  if (file.extension() != ".exr") return load_preset(file);
+  const Result<std::string> recipe = read_recipe(file);
+  if (!recipe) return recipe.error();
+  Result<Document> document = document_from_recipe(*recipe, file.string());
+  if (!document) return document;
+  fs::path& map = document->surface.path;
+  std::error_code missing;
+  if (map.is_relative() && !fs::exists(map, missing)) {
+    const fs::path beside = file.parent_path() / map;
+    if (fs::exists(beside, missing)) map = beside;
+  }
   return document;
 }
 

@@ -37,6 +37,8 @@ Schema value_schema(const Parameter& parameter) {
       return {{"type", "integer"},
               {"minimum", parameter.integer_range.lowest},
               {"maximum", parameter.integer_range.highest}};
+    case ParameterKind::flag:
+      return {{"type", "boolean"}};
     case ParameterKind::text:
       return {{"type", "string"}, {"minLength", 1}};
     case ParameterKind::path:

@@ -1,5 +1,7 @@
 #include "core/document/workspace.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "core/pndf/fitted_window.h"
@@ -7,6 +9,9 @@
 
 namespace glint {
 namespace {
+
+constexpr double k_coarse_cut = 4.2;
+constexpr std::uint64_t k_coarse_samples = 100'000;
 
 NormalMap with_wrap(NormalMap map, Wrap wrap) {
   if (map.wrap() == wrap) return map;
@@ -18,13 +23,22 @@ Surface surface_over(NormalMap map, std::optional<Interpolation> interpolation) 
   return {std::make_shared<const NormalMap>(std::move(map)), interpolation.value_or(natural)};
 }
 
+ModelSettings settings_of(const Document& document) {
+  ModelSettings settings;
+  settings.exact.vertex_shift = document.exact_vertex_shift;
+  settings.binned = {document.binning_samples, document.seed, document.grid.size};
+  return settings;
+}
+
 }  // namespace
 
-Result<LoadedSurface> load_surface(const SurfaceDescription& description, JobControl& control) {
+Result<LoadedSurface> load_surface(const SurfaceDescription& description, JobControl& control, KeepStored keep) {
   if (description.source == SurfaceSource::file) {
-    Result<ReadNormalMap> read = read_normal_map(description.path, description.reading, control);
+    const auto stored = keep == KeepStored::yes ? std::make_shared<StoredSamples>() : nullptr;
+    Result<ReadNormalMap> read = read_normal_map(description.path, description.reading, control, stored.get());
     if (!read) return read.error();
-    return LoadedSurface{surface_over(std::move(read->map), description.interpolation), std::move(read->report)};
+    return LoadedSurface{surface_over(std::move(read->map), description.interpolation), std::move(read->report),
+                         stored};
   }
   Result<NormalMap> generated = description.source == SurfaceSource::noise
                                     ? generate_noise(description.noise, control)
@@ -44,9 +58,22 @@ std::optional<Error> footprint_position_fault(const Footprint& footprint, const 
 }
 
 std::unique_ptr<PndfModel> make_document_model(const Document& document, PndfMethod method, const Surface& surface) {
-  ModelSettings settings;
-  settings.binned = {document.binning_samples, document.seed, document.grid.size};
+  return make_model(method, surface, document.intrinsic_roughness, settings_of(document));
+}
+
+std::unique_ptr<PndfModel> make_coarse_model(const Document& document, PndfMethod method, const Surface& surface) {
+  ModelSettings settings = settings_of(document);
+  // No vertex shift: on cells of a whole texel its bound is so wide that hardly any cell is left out.
+  settings.exact = {.subdivision = 1, .vertex_shift = false, .image_cut = k_coarse_cut};
+  settings.binned.samples = std::min(settings.binned.samples, k_coarse_samples);
   return make_model(method, surface, document.intrinsic_roughness, settings);
+}
+
+PndfGrid coarse_grid(const PndfGrid& grid, int cells) {
+  PndfGrid coarse = grid;
+  coarse.columns = std::min(grid.columns, cells);
+  coarse.rows = std::min(grid.rows, cells);
+  return coarse;
 }
 
 PndfGrid document_grid(const Document& document, const Surface& surface) {

@@ -7,6 +7,7 @@
 
 #include "core/document/document.h"
 #include "core/image/normal_map_reader.h"
+#include "core/image/stored_samples.h"
 #include "core/math/parallel.h"
 #include "core/math/result.h"
 #include "core/pndf/pndf_grid.h"
@@ -18,16 +19,29 @@ namespace glint {
 struct LoadedSurface {
   Surface surface;
   std::optional<ReadReport> report;  ///< of a file; generated maps have nothing to report
+  /// What the file holds, texel by texel; null unless it was asked for, and for generated maps.
+  std::shared_ptr<const StoredSamples> stored = {};
 };
 
+/// Whether the values of the file are kept beside the map: only a read-out at the cursor needs them.
+enum class KeepStored { no, yes };
+
 /// Reads or generates the map of a description and lays the asked surface over it.
-Result<LoadedSurface> load_surface(const SurfaceDescription& description, JobControl& control);
+Result<LoadedSurface> load_surface(const SurfaceDescription& description, JobControl& control,
+                                   KeepStored keep = KeepStored::no);
 
 /// The fault of a document's footprint on that map, if any: a centre outside a map that clamps.
 std::optional<Error> footprint_position_fault(const Footprint& footprint, const NormalMap& map);
 
 /// The model of one of the document's methods on `surface`.
 std::unique_ptr<PndfModel> make_document_model(const Document& document, PndfMethod method, const Surface& surface);
+
+/// A cheap model of the same method, for a first picture while the document's own is computed: exact with 2 triangles a
+/// texel on the smooth surface and a joint cut that loses 1e-3 of the mass, binning with at most 100 000 samples.
+std::unique_ptr<PndfModel> make_coarse_model(const Document& document, PndfMethod method, const Surface& surface);
+
+/// The same window with at most `cells` cells a side.
+PndfGrid coarse_grid(const PndfGrid& grid, int cells = 64);
 
 /// The grid of the document's P-NDF images: its window, or one fitted to the lobe.
 PndfGrid document_grid(const Document& document, const Surface& surface);

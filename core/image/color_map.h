@@ -1,7 +1,8 @@
 #pragma once
 // The default colour map of densities: viridis, with colours of their own for what lies outside its range, so that
-// false colour never hides clipping.
+// false colour never hides clipping. And the map of signed differences.
 
+#include <array>
 #include <cstdint>
 
 #include <glm/vec3.hpp>
@@ -16,6 +17,13 @@ inline constexpr DisplayColor k_overflow_color{0xff, 0x4d, 0xf0};
 
 /// Viridis (S. van der Walt and N. Smith, CC0) at x in [0, 1]; underflow below, overflow above.
 DisplayColor viridis(double x);
+
+/// Blue below 0, near black at 0, red above; for x outside [-1, 1] the colour of that end, for NaN pure red.
+DisplayColor difference_color(double x);
+
+/// The maps as textures: entry k is the colour at k / 255 of the way from the lowest value to the highest.
+std::array<DisplayColor, 256> viridis_table();
+std::array<DisplayColor, 256> difference_table();
 
 /// A range of densities shown logarithmically. Zero is underflow, not the lowest colour.
 struct LogScale {

@@ -13,6 +13,7 @@
 #include "core/image/image_file.h"
 #include "core/image/normal_decoder.h"
 #include "core/image/read_notes.h"
+#include "core/image/stored_samples.h"
 #include "core/surface/height_field.h"
 #include "core/surface/map_diagnostics.h"
 
@@ -62,7 +63,7 @@ bool is_constant(const ImageStatistics& statistics) {
 }
 
 Result<ReadNormalMap> decode_normals(const ImageInfo& info, const ReadOptions& options, const ChannelChoice& choice,
-                                     const SurveyedImage& survey, JobControl& control) {
+                                     const SurveyedImage& survey, JobControl& control, StoredSamples* stored) {
   const ImageStatistics& statistics = survey.statistics;
   DecodingRules rules;
   rules.layout = settle_layout(choice, statistics);
@@ -76,8 +77,11 @@ Result<ReadNormalMap> decode_normals(const ImageInfo& info, const ReadOptions& o
   std::vector<glm::vec2> normals(texel_count(info));
   const std::vector<int> channels = choice.all();
   NormalDecoder decoder(rules, channels.size(), info.width, normals);
-  const Result<std::string> read =
-      read_rows(info, channels, control, [&](const RowBlock& block) { decoder.decode(block); });
+  if (stored) *stored = StoredSamples(info, channels);
+  const Result<std::string> read = read_rows(info, channels, control, [&](const RowBlock& block) {
+    decoder.decode(block);
+    if (stored) stored->keep(block);
+  });
   if (!read) return read.error();
 
   ReadNormalMap result{NormalMap(info.width, info.height, std::move(normals), options.wrap), {}};
@@ -122,7 +126,7 @@ void note_heights(const ReadOptions& options, const ChannelChoice& choice, const
 }
 
 Result<ReadNormalMap> decode_heights(const ImageInfo& info, const ReadOptions& options, const ChannelChoice& choice,
-                                     const SurveyedImage& survey, JobControl& control) {
+                                     const SurveyedImage& survey, JobControl& control, StoredSamples* stored) {
   const ImageStatistics& statistics = survey.statistics;
   if (choice.colors.size() > 1 && !statistics.colors_equal) {
     return content_error(info.path.string(),
@@ -131,7 +135,9 @@ Result<ReadNormalMap> decode_heights(const ImageInfo& info, const ReadOptions& o
   }
   std::vector<float> heights(texel_count(info));
   const std::array channel{choice.colors[0]};
+  if (stored) *stored = StoredSamples(info, channel);
   const Result<std::string> read = read_rows(info, channel, control, [&](const RowBlock& block) {
+    if (stored) stored->keep(block);
     const auto first = static_cast<std::ptrdiff_t>(block.first_row) * info.width;
     std::ranges::copy(block.samples, heights.begin() + first);
   });
@@ -152,7 +158,7 @@ Result<ReadNormalMap> decode_heights(const ImageInfo& info, const ReadOptions& o
 }  // namespace
 
 Result<ReadNormalMap> read_normal_map(const std::filesystem::path& path, const ReadOptions& options,
-                                      JobControl& control) {
+                                      JobControl& control, StoredSamples* stored) {
   if (const std::optional<Error> fault = options_fault(options)) return *fault;
   try {
     const Result<ImageInfo> info = inspect_image(path);
@@ -161,8 +167,8 @@ Result<ReadNormalMap> read_normal_map(const std::filesystem::path& path, const R
     const ChannelChoice choice = choose_channels(*info);
     const Result<SurveyedImage> survey = survey_image(*info, choice, control);
     if (!survey) return survey.error();
-    return options.height_scale ? decode_heights(*info, options, choice, *survey, control)
-                                : decode_normals(*info, options, choice, *survey, control);
+    return options.height_scale ? decode_heights(*info, options, choice, *survey, control, stored)
+                                : decode_normals(*info, options, choice, *survey, control, stored);
   } catch (const std::bad_alloc&) {
     return content_error(path.string(), "not enough memory to read it");
   } catch (const std::exception& failure) {

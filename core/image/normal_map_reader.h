@@ -13,6 +13,8 @@
 
 namespace glint {
 
+class StoredSamples;
+
 enum class ValueRange { automatic, signed_values, unsigned_values };
 enum class GreenDirection { up, down };
 
@@ -48,9 +50,10 @@ struct ReadNormalMap {
 };
 
 /// Reads `path`. The size is checked from the header before anything of that size is allocated. Not cancellable inside
-/// the decoder of a block of rows; `control` is asked between blocks.
+/// the decoder of a block of rows; `control` is asked between blocks. What the file holds goes to `stored`, if that is
+/// given and the file can be read.
 Result<ReadNormalMap> read_normal_map(const std::filesystem::path& path, const ReadOptions& options,
-                                      JobControl& control);
+                                      JobControl& control, StoredSamples* stored = nullptr);
 
 /// The note for a map whose 8-bit (or coarser) steps show at this intrinsic roughness; none if they do not.
 std::optional<std::string> quantisation_note(const ReadReport& report, double intrinsic_roughness);

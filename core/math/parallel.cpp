@@ -7,6 +7,11 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#ifdef __linux__
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
+
 // ThreadSanitizer cannot see how oneTBB hands work from thread to thread, so the hand-over is marked here, once.
 #if defined(__SANITIZE_THREAD__)
 #define GLINT_TSAN 1
@@ -36,6 +41,19 @@ void take_over([[maybe_unused]] void* token) {
 #ifdef GLINT_TSAN
   __tsan_acquire(token);
 #endif
+}
+
+// oneTBB's threads belong to the whole process, so what is asked of them does too. Its own observers of threads see one
+// arena each, and every thread that starts a loop has another.
+std::atomic<int> background_wishes{0};
+
+void lower_priority_of_lent_thread() {
+  thread_local bool lowered = false;
+  if (lowered || background_wishes.load(std::memory_order_relaxed) == 0) return;
+  // Slot 0 of an arena is the thread's that it belongs to.
+  if (tbb::this_task_arena::current_thread_index() <= 0) return;
+  lower_priority_of_this_thread();
+  lowered = true;
 }
 
 }  // namespace
@@ -68,6 +86,7 @@ bool parallel_blocks(std::size_t block_count, JobControl& control, const std::fu
       // The range and this closure were written by whichever thread split the work: before any hand-over.
       [&](const tbb::blocked_range<std::size_t>& range) GLINT_NOT_TRACED {
         take_over(&begin);
+        lower_priority_of_lent_thread();
         run(range.begin(), range.end());
         hand_over(&end);
       },
@@ -88,5 +107,22 @@ struct ThreadLimit::Control {
 
 ThreadLimit::ThreadLimit(int threads) : control_(std::make_unique<Control>(threads)) {}
 ThreadLimit::~ThreadLimit() = default;
+
+void lower_priority_of_this_thread() {
+#ifdef __linux__
+  const auto thread = static_cast<id_t>(gettid());  // Linux has a priority for each thread, not for a process
+  if (getpriority(PRIO_PROCESS, thread) < k_background_nice) setpriority(PRIO_PROCESS, thread, k_background_nice);
+#endif
+}
+
+BackgroundPriority::BackgroundPriority() {
+  background_wishes.fetch_add(1, std::memory_order_relaxed);
+}
+bool BackgroundPriority::is_wanted() {
+  return background_wishes.load(std::memory_order_relaxed) > 0;
+}
+BackgroundPriority::~BackgroundPriority() {
+  background_wishes.fetch_sub(1, std::memory_order_relaxed);
+}
 
 }  // namespace glint

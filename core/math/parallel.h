@@ -49,4 +49,24 @@ class ThreadLimit {
   std::unique_ptr<Control> control_;
 };
 
+/// How much lower: a third of the time of an equal thread where there is not enough for all.
+inline constexpr int k_background_nice = 5;
+
+/// Makes the operating system prefer other threads to the calling one, for the rest of its life: raising the priority
+/// again takes a privilege. Only on Linux; elsewhere nothing happens.
+void lower_priority_of_this_thread();
+
+/// While one is alive, every thread that oneTBB lends to a parallel_blocks gets a lower priority, as above; the calling
+/// thread keeps its own. For a process with a window, which stays smooth while its jobs take every core. What was
+/// lowered stays so after its end.
+class BackgroundPriority {
+ public:
+  BackgroundPriority();
+  ~BackgroundPriority();
+  /// Whether one is alive.
+  static bool is_wanted();
+  BackgroundPriority(const BackgroundPriority&) = delete;
+  BackgroundPriority& operator=(const BackgroundPriority&) = delete;
+};
+
 }  // namespace glint

@@ -94,7 +94,7 @@ class ExactImage {
         window_(footprint_.covariance),
         grid_(grid),
         cut_(model.image_cut()),
-        widening_(widening_for(grid, model.intrinsic_roughness())) {
+        widening_(model.cell_means() ? mean_widening(grid) : widening_for(grid, model.intrinsic_roughness())) {
     const double variance = model.intrinsic_roughness() * model.intrinsic_roughness();
     roughness_ = {std::sqrt(variance + widening_.x), std::sqrt(variance + widening_.y)};
     if (FoldedFootprint::pays(cells_.surface().map(), footprint_.covariance, cut_)) {

@@ -127,7 +127,8 @@ class ExactFootprint final : public FootprintPndf {
 ExactPndf::ExactPndf(Surface surface, double intrinsic_roughness, ExactSettings settings)
     : cells_(std::move(surface), settings.subdivision, settings.vertex_shift),
       intrinsic_roughness_(intrinsic_roughness),
-      image_cut_(settings.image_cut) {}
+      image_cut_(settings.image_cut),
+      cell_means_(settings.cell_means) {}
 
 PndfModelInfo ExactPndf::info() const {
   return {"exact", cells_.surface().interpolation(), "exact for its triangles, in double precision", cells_.bytes()};

@@ -13,6 +13,9 @@ struct ExactSettings {
   int subdivision = 4;        ///< smooth surface: sub-cells per axis and texel; 4 is the 32-triangle map
   bool vertex_shift = false;  ///< smooth surface: vertices moved so that the triangles lose their O(h^2) bias
   double image_cut = 6;       ///< images: the joint cut R; exp(-R^2 / 2) (1 + R^2 / 2) of the mass is lost
+  /// Images: cells hold the mean of D over them, by widening sigma_r^2 by pitch^2 / 12 per axis however fine the grid
+  /// is; else only where the grid does not resolve sigma_r.
+  bool cell_means = false;
 };
 
 /// Evaluation at single normals cuts where the neglected rest is below 1e-9 of the value (it widens its cut until that
@@ -31,11 +34,13 @@ class ExactPndf final : public PndfModel {
   [[nodiscard]] const SurfaceCells& cells() const { return cells_; }
   [[nodiscard]] double intrinsic_roughness() const { return intrinsic_roughness_; }
   [[nodiscard]] double image_cut() const { return image_cut_; }
+  [[nodiscard]] bool cell_means() const { return cell_means_; }
 
  private:
   SurfaceCells cells_;
   double intrinsic_roughness_;
   double image_cut_;
+  bool cell_means_;
 };
 
 }  // namespace glint

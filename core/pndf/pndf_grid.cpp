@@ -19,9 +19,14 @@ std::optional<std::string> grid_fault(const PndfGrid& grid) {
   return std::nullopt;
 }
 
+glm::dvec2 mean_widening(const PndfGrid& grid) {
+  return grid.pitch() * grid.pitch() / 12.0;
+}
+
 glm::dvec2 widening_for(const PndfGrid& grid, double intrinsic_roughness) {
-  const auto axis = [&](double pitch) { return intrinsic_roughness < 0.6 * pitch ? pitch * pitch / 12 : 0.0; };
-  return {axis(grid.pitch().x), axis(grid.pitch().y)};
+  const glm::dvec2 mean = mean_widening(grid);
+  return {intrinsic_roughness < 0.6 * grid.pitch().x ? mean.x : 0.0,
+          intrinsic_roughness < 0.6 * grid.pitch().y ? mean.y : 0.0};
 }
 
 double integral(const PndfImage& image) {

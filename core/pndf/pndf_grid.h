@@ -60,6 +60,9 @@ struct PndfImage {
   std::size_t outside_samples = 0;  ///< Monte Carlo only: draws outside the window, valid or not
 };
 
+/// pitch^2 / 12 on each axis: the variance by which a Gaussian is widened when it is averaged over a cell.
+glm::dvec2 mean_widening(const PndfGrid& grid);
+
 /// The variance by which an image widens sigma_r^2 on each axis: pitch^2 / 12 where sigma_r < 0.6 pitch, else 0.
 glm::dvec2 widening_for(const PndfGrid& grid, double intrinsic_roughness);
 

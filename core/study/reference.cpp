@@ -1,6 +1,5 @@
 #include "core/study/reference.h"
 
-#include <cmath>
 #include <utility>
 
 #include "core/pndf/exact_pndf.h"
@@ -8,85 +7,68 @@
 
 namespace glint {
 namespace {
-constexpr double k_converged = 2e-4;
+
 constexpr int k_finest_subdivision = 32;
-constexpr double k_reference_cut = 8;
 
 struct Request {
   const Surface& surface;
   double intrinsic_roughness;
   const Footprint& footprint;
   const PndfGrid& grid;
+  CellContent content;
+  double image_cut;
   JobControl& control;
 
-  [[nodiscard]] std::optional<PndfImage> image(const ExactSettings& settings, const PndfGrid& on) const {
-    return ExactPndf(surface, intrinsic_roughness, settings).image(footprint, on, control);
+  [[nodiscard]] std::optional<PndfImage> image(int subdivision, bool vertex_shift) const {
+    ExactSettings settings;
+    settings.subdivision = subdivision;
+    settings.vertex_shift = vertex_shift;
+    settings.image_cut = image_cut;
+    settings.cell_means = content == CellContent::mean;
+    return ExactPndf(surface, intrinsic_roughness, settings).image(footprint, grid, control);
   }
 };
 
-// The coarsest subdivision whose image differs from the next coarser one's by less than the limit, and that difference.
-struct Convergence {
-  int subdivision;
-  double change;
+struct Refined {
+  PndfImage image;
+  ReferenceRefinement refinement;
 };
 
-std::optional<Convergence> converge(const Request& request) {
+// The image of the coarsest subdivision that differs from the next coarser one's by less than the limit.
+std::optional<Refined> refine(const Request& request, double converged) {
   std::optional<PndfImage> coarse;
-  Convergence found{0, 1};
-  for (int subdivision = 4; subdivision <= k_finest_subdivision && found.change >= k_converged; subdivision *= 2) {
-    std::optional<PndfImage> fine = request.image({subdivision, true}, request.grid);
+  ReferenceRefinement found{0, 1};
+  for (int subdivision = 4; subdivision <= k_finest_subdivision && found.change >= converged; subdivision *= 2) {
+    std::optional<PndfImage> fine = request.image(subdivision, true);
     if (!fine) return std::nullopt;
     found = {subdivision, coarse ? compare(*coarse, *fine).relative_l1 : 1};
     coarse = std::move(fine);
   }
-  return found;
-}
-
-// The mean over each cell by the 2 x 2 Gauss rule: four images on shifted grids.
-std::optional<PndfImage> cell_means(const Request& request, const ExactSettings& settings) {
-  const glm::dvec2 shift = request.grid.pitch() / (2 * std::sqrt(3.0));
-  std::optional<PndfImage> mean;
-  for (const glm::dvec2 sign : {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(-1, 1), glm::dvec2(1, 1)}) {
-    PndfGrid shifted = request.grid;
-    shifted.s_min += sign.x * shift.x;
-    shifted.s_max += sign.x * shift.x;
-    shifted.t_min += sign.y * shift.y;
-    shifted.t_max += sign.y * shift.y;
-    std::optional<PndfImage> part = request.image(settings, shifted);
-    if (!part) return std::nullopt;
-    if (!mean) {
-      mean = std::move(part);
-      for (double& density : mean->density) density *= 0.25;
-    } else {
-      for (std::size_t k = 0; k < mean->density.size(); ++k) mean->density[k] += 0.25 * part->density[k];
-    }
-  }
-  mean->grid = request.grid;
-  return mean;
+  return Refined{*std::move(coarse), found};
 }
 
 }  // namespace
 
 std::optional<ReferenceImage> reference_image(const Surface& surface, double intrinsic_roughness,
                                               const Footprint& footprint, const PndfGrid& grid, CellContent content,
-                                              JobControl& control) {
-  const Request request{surface, intrinsic_roughness, footprint, grid, control};
-  ExactSettings settings;
-  settings.image_cut = k_reference_cut;
-  double own_error = 0;
-  if (surface.interpolation() == Interpolation::smooth) {
-    const std::optional<Convergence> found = converge(request);
-    if (!found) return std::nullopt;
-    settings.subdivision = found->subdivision;
-    settings.vertex_shift = true;
-    own_error = found->change;
+                                              JobControl& control, std::optional<ReferenceRefinement> known,
+                                              const ReferenceEffort& effort) {
+  const Request request{surface, intrinsic_roughness, footprint, grid, content, effort.image_cut, control};
+  if (surface.interpolation() != Interpolation::smooth) {
+    std::optional<PndfImage> image = request.image(ExactSettings().subdivision, false);
+    if (!image) return std::nullopt;
+    const double own_error = image->error.relative_l1;
+    return ReferenceImage{surface.interpolation(), std::move(*image), own_error, {}};
   }
-  const bool widened = widening_for(grid, intrinsic_roughness) != glm::dvec2(0);
-  std::optional<PndfImage> image =
-      content == CellContent::mean && !widened ? cell_means(request, settings) : request.image(settings, grid);
-  if (!image) return std::nullopt;
-  if (surface.interpolation() != Interpolation::smooth) own_error = image->error.relative_l1;
-  return ReferenceImage{surface.interpolation(), std::move(*image), own_error};
+  if (known) {
+    std::optional<PndfImage> image = request.image(known->subdivision, true);
+    if (!image) return std::nullopt;
+    return ReferenceImage{Interpolation::smooth, std::move(*image), known->change, *known};
+  }
+  std::optional<Refined> refined = refine(request, effort.converged);
+  if (!refined) return std::nullopt;
+  return ReferenceImage{Interpolation::smooth, std::move(refined->image), refined->refinement.change,
+                        refined->refinement};
 }
 
 }  // namespace glint

@@ -116,9 +116,12 @@ Result<std::vector<StudyResult>> run_study(const Document& document, const Surfa
     const CellContent content = image.standard_error.empty() ? CellContent::point : CellContent::mean;
     const std::pair wanted{settings.reference_surface.value_or(surface.interpolation()), content};
     if (!references.contains(wanted)) {
+      const CellContent other = content == CellContent::point ? CellContent::mean : CellContent::point;
+      const auto made_before = references.find({wanted.first, other});
+      const auto known = made_before == references.end() ? std::nullopt : std::optional(made_before->second.refinement);
       std::optional<ReferenceImage> made =
           reference_image(Surface(surface.shared_map(), wanted.first), document.intrinsic_roughness, document.footprint,
-                          grid, content, control);
+                          grid, content, control, known);
       if (!made) return cancelled;
       references.emplace(wanted, std::move(*made));
     }

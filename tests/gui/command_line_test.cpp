@@ -22,10 +22,11 @@ void expect_one_error_line(const ProgramRun& run) {
   EXPECT_EQ(run.out, "");
 }
 
-TEST(CommandLine, AloneItPrintsItsHelp) {
-  const ProgramRun run = run_glintscope({});
+TEST(CommandLine, HelpNamesEveryCommand) {
+  const ProgramRun run = run_glintscope({"--help"});
   EXPECT_EQ(run.status, 0);
-  for (const char* command : {"pndf", "study", "generate", "presets"}) EXPECT_THAT(run.out, HasSubstr(command));
+  for (const char* command : {"pndf", "study", "generate", "presets", "screenshot"})
+    EXPECT_THAT(run.out, HasSubstr(command));
   EXPECT_EQ(run.err, "");
 }
 
@@ -81,6 +82,7 @@ TEST(CommandLine, WordsThatAreOffEndWithStatusTwoAndOneSentence) {
       {{"pndf", "--preset", "flat-oracle", "--window", "0.5,-0.5,-1,1"}, "--window"},
       {{"pndf", "--preset", "flat-oracle", "--window", "0,1"}, "--window"},
       {{"pndf", "--preset", "flat-oracle", "--samples", "0"}, "--samples"},
+      {{"pndf", "--preset", "flat-oracle", "--vertex-shift=maybe"}, "--vertex-shift"},
       {{"pndf", "--preset", "flat-oracle", "--threads", "0"}, "--threads"},
       {{"pndf", "--preset", "flat-oracle", "--triangles", "3"}, "2 or 32"},
       {{"pndf", "--preset", "flat-oracle", "--triangles", "2", "--surface", "smooth"}, "--triangles"},

@@ -62,6 +62,30 @@ TEST(PndfCommand, QueriesPrintTheMethodsInTheOrderAsked) {
   EXPECT_EQ(both[0], one("binning")[0]);
 }
 
+TEST(PndfCommand, VertexShiftChangesTheExactValuesAndStandsInTheRecipe) {
+  const auto values = [](std::vector<std::string> more) {
+    std::vector<std::string> words = {"pndf", "--preset", "isotropic-noise", "--pixel",   "500,500", "--radius",
+                                      "2",    "--method", "exact",           "--queries", "-"};
+    words.insert(words.end(), more.begin(), more.end());
+    const ProgramRun run = run_glintscope(words, {"0.02 0.03\n-0.05 0.1\n", {}, 0});
+    EXPECT_EQ(run.status, 0) << run.err;
+    return run.out;
+  };
+  EXPECT_NE(values({"--vertex-shift"}), values({}));
+  EXPECT_EQ(values({"--vertex-shift=false"}), values({}));
+  EXPECT_EQ(values({"--vertex-shift", "--surface", "linear"}), values({"--surface", "linear"}));
+
+  const TemporaryFolder folder;
+  const std::string first = folder / "first.exr";
+  const std::string second = folder / "second.exr";
+  ASSERT_EQ(run_glintscope({"pndf", "--preset", "isotropic-noise", "--pixel", "500,500", "--radius", "1", "--size",
+                            "16", "--method", "exact", "--vertex-shift", "-o", first})
+                .status,
+            0);
+  ASSERT_EQ(run_glintscope({"pndf", "--preset", first, "-o", second}).status, 0);
+  EXPECT_EQ(text_of(first), text_of(second));
+}
+
 TEST(PndfCommand, AMalformedQueryLineIsNamedByItsNumber) {
   for (const char* input :
        {"0 0\n0.1\n", "0 0\n0.1 0.2 0.3\n", "0 0\n0.1,0.2\n", "0 0\nnan 0\n", "0 0\n1e999 0\n", "0 0\nx y\n"}) {

@@ -40,10 +40,15 @@ inline const std::map<std::string, ParameterValue, std::less<>>& other_values() 
       {"footprint.covariance", Numbers{1e9, -0.3, 2.0 / 3.0}},
       {"intrinsic_roughness", 0.0123456789012345678},
       {"methods", Texts{"binning", "exact"}},
+      {"exact.vertex_shift", true},
       {"binning.samples", std::uint64_t{9'999'999'999}},
       {"grid.size", std::uint64_t{16384}},
       {"grid.window", Numbers{-1, -0.1, 0.30000000000000004, 1.5}},
       {"seed", std::uint64_t{9007199254740993}},  // 2^53 + 1: no double
+      {"view.density_scale", "linear"},
+      {"view.density_range", Numbers{1e-30, 1234.5}},
+      {"view.difference_range", 0.1},
+      {"view.map_colors", "curvature"},
   };
   return values;
 }

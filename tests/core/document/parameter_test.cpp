@@ -1,5 +1,6 @@
 #include "core/document/parameter.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -41,8 +42,9 @@ TEST(Parameters, AreTheFieldsThatTheDesignNames) {
                   "surface.generator.wavelengths", "surface.generator.count", "surface.generator.length",
                   "surface.generator.half_width", "surface.generator.flank_slope", "surface.generator.direction",
                   "surface.generator.spread", "surface.generator.blur", "surface.generator.dent_rms_slope",
-                  "footprint.center", "footprint.covariance", "intrinsic_roughness", "methods", "binning.samples",
-                  "grid.size", "grid.window", "seed"));
+                  "footprint.center", "footprint.covariance", "intrinsic_roughness", "methods", "exact.vertex_shift",
+                  "binning.samples", "grid.size", "grid.window", "seed", "view.density_scale", "view.density_range",
+                  "view.difference_range", "view.map_colors"));
 }
 
 TEST(Parameters, HaveUniquePathsAndSayWhatTheyDoAndWhoDefinedThem) {
@@ -55,6 +57,37 @@ TEST(Parameters, HaveUniquePathsAndSayWhatTheyDoAndWhoDefinedThem) {
     EXPECT_FALSE(p.allowed().empty()) << p.path;
     EXPECT_EQ(find_parameter(p.path), &p);
   }
+}
+
+std::size_t character_count(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+TEST(Parameters, HaveShortLabelsForNarrowColumns) {
+  for (const Parameter& p : parameters()) {
+    EXPECT_LE(character_count(p.short_label), 12U) << p.path;
+    EXPECT_LE(character_count(p.short_label.empty() ? p.label : p.short_label), 12U) << p.path;
+  }
+  EXPECT_EQ(parameter("intrinsic_roughness").short_label, "Roughness σ");
+}
+
+TEST(Parameters, HaveSlidersInsideTheirRange) {
+  std::size_t sliders = 0;
+  for (const Parameter& p : parameters()) {
+    if (p.slider.empty()) continue;
+    SCOPED_TRACE(p.path);
+    ++sliders;
+    ASSERT_TRUE(p.kind == ParameterKind::number || p.kind == ParameterKind::integer);
+    EXPECT_LT(p.slider.lowest, p.slider.highest);
+    EXPECT_TRUE(p.checked(p.slider.lowest));
+    EXPECT_TRUE(p.checked(p.slider.highest));
+    if (p.slider.logarithmic) {
+      EXPECT_GT(p.slider.lowest, 0);
+    }
+  }
+  EXPECT_GT(sliders, 0U);
+  EXPECT_TRUE(parameter("seed").slider.empty());
 }
 
 TEST(Parameters, HaveDefaultsWithinTheirOwnRange) {
@@ -101,6 +134,8 @@ TEST(Parameters, ReachTheMembersTheyName) {
   EXPECT_EQ(document.methods, (std::vector{PndfMethod::binning, PndfMethod::exact}));
   EXPECT_EQ(document.grid.window, glm::dvec4(-1, -0.1, 0.30000000000000004, 1.5));
   EXPECT_EQ(document.seed, 9007199254740993U);
+  EXPECT_TRUE(document.exact_vertex_shift);
+  EXPECT_EQ(document.view, (ViewSettings{ColorScale::linear, glm::dvec2(1e-30, 1234.5), 0.1, MapColors::curvature}));
 }
 
 TEST(Parameters, TakeNoneWhereNoneIsAllowed) {
@@ -180,6 +215,36 @@ TEST(Parameters, TakeBothEndsOfEveryRangeAndNothingBeyond) {
   }
 }
 
+TEST(ParameterValues, ThatAreNoBoolDoNotBecomeOne) {
+  EXPECT_TRUE(std::holds_alternative<std::string>(ParameterValue("text")));
+  EXPECT_TRUE(std::holds_alternative<double>(ParameterValue(1.0)));
+  EXPECT_TRUE(std::holds_alternative<std::uint64_t>(ParameterValue(std::uint64_t{1})));
+  EXPECT_TRUE(std::holds_alternative<bool>(ParameterValue(true)));
+}
+
+TEST(Parameters, AreFlagsOnlyWhereTheySaySo) {
+  EXPECT_EQ(set_error("exact.vertex_shift", "true"), "exact.vertex_shift: is \"true\"; allowed: true or false");
+  EXPECT_EQ(set_error("exact.vertex_shift", 1.0), "exact.vertex_shift: is 1; allowed: true or false");
+  EXPECT_EQ(set_error("exact.vertex_shift", std::monostate()), "exact.vertex_shift: is null; allowed: true or false");
+  for (const Parameter& p : parameters()) {
+    EXPECT_EQ(static_cast<bool>(p.checked(true)), p.kind == ParameterKind::flag) << p.path;
+  }
+  EXPECT_EQ(set_error("seed", true), "seed: is true; allowed: a whole number from 0 to 18446744073709551615");
+  EXPECT_EQ(value_text(false), "false");
+}
+
+TEST(Parameters, HoldColorRangesThatAscend) {
+  Document document;
+  ASSERT_TRUE(parameter("view.density_range").set(document, test::Numbers{0.5, 2}));
+  EXPECT_EQ(document.view.density_range, glm::dvec2(0.5, 2));
+  ASSERT_TRUE(parameter("view.density_range").set(document, "fit"));
+  EXPECT_EQ(document.view.density_range, std::nullopt);
+  EXPECT_THAT(set_error("view.density_range", test::Numbers{2, 2}), HasSubstr("lowest below highest, or \"fit\""));
+  EXPECT_THAT(set_error("view.density_range", test::Numbers{0, 2}), HasSubstr("from 1e-30 to 1e+30"));
+  EXPECT_EQ(set_error("view.difference_range", 0.0),
+            "view.difference_range: is 0; allowed: a number above 0 and at most 1e+30, or null");
+}
+
 TEST(Parameters, TakeWholeNumbersInEitherWriting) {
   Document document;
   ASSERT_TRUE(parameter("binning.samples").set(document, 1e6 + 1));
@@ -195,6 +260,14 @@ TEST(Parameters, KnowWhenTheyMatter) {
   EXPECT_FALSE(parameter("seed").matters(document));
   document.methods = {PndfMethod::exact, PndfMethod::binning};
   EXPECT_TRUE(parameter("seed").matters(document));
+  EXPECT_TRUE(parameter("exact.vertex_shift").matters(document));
+  document.surface.interpolation = Interpolation::smooth;
+  EXPECT_TRUE(parameter("exact.vertex_shift").matters(document));
+  document.surface.interpolation = Interpolation::linear;
+  EXPECT_FALSE(parameter("exact.vertex_shift").matters(document));
+  document.surface.interpolation.reset();
+  document.methods = {PndfMethod::binning};
+  EXPECT_FALSE(parameter("exact.vertex_shift").matters(document));
   document.surface.source = SurfaceSource::noise;
   EXPECT_TRUE(parameter("surface.generator.wavelengths").matters(document));
   EXPECT_FALSE(parameter("surface.generator.correlation_length").matters(document));

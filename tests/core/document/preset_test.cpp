@@ -124,6 +124,9 @@ TEST(Preset, IsWrittenReadablyInAFixedOrder) {
   },
   "intrinsic_roughness": 0.02,
   "methods": ["exact"],
+  "exact": {
+    "vertex_shift": false
+  },
   "grid": {
     "size": 256,
     "window": "fit"
@@ -142,7 +145,31 @@ TEST(Recipe, HoldsOnlyWhatDeterminesPixels) {
             R"({"glintscope":"preset","version":1,"surface":{"source":"noise","wrap":"repeat","interpolation":"auto",)"
             R"("generator":{"size":1024,"seed":7,"spectrum":"band","rms_slope":0.15,"wavelengths":[8,32]}},)"
             R"("footprint":{"center":[512,512],"covariance":[25,0,25]},"intrinsic_roughness":0.02,"methods":["exact"],)"
-            R"("grid":{"size":256,"window":"fit"}})");
+            R"("exact":{"vertex_shift":false},"grid":{"size":256,"window":"fit"}})");
+}
+
+TEST(Recipe, LeavesOutHowPicturesLookAndAPresetKeepsIt) {
+  Document document;
+  document.view = {ColorScale::linear, glm::dvec2(0.5, 20), 3.5, MapColors::slope};
+  EXPECT_EQ(recipe_of(document), recipe_of(Document()));
+  EXPECT_THAT(preset_text(document), HasSubstr(R"(  "view": {
+    "density_scale": "linear",
+    "density_range": [0.5, 20],
+    "difference_range": 3.5,
+    "map_colors": "slope"
+  })"));
+  EXPECT_TRUE(parsed(preset_text(document)) == document);
+  EXPECT_THAT(preset_text(Document()), Not(HasSubstr("view")));
+}
+
+TEST(Recipe, HoldsTheVertexShiftWhereSomethingIsShifted) {
+  Document document;
+  document.exact_vertex_shift = true;
+  EXPECT_THAT(recipe_of(document), HasSubstr(R"("exact":{"vertex_shift":true})"));
+  EXPECT_TRUE(*document_from_recipe(recipe_of(document), "recipe") == document);
+  document.surface.interpolation = Interpolation::linear;
+  EXPECT_THAT(recipe_of(document), Not(HasSubstr("vertex_shift")));
+  EXPECT_THAT(preset_text(document), HasSubstr("\"vertex_shift\": true"));
 }
 
 TEST(Recipe, KeepsEveryFieldThatMatters) {
@@ -221,6 +248,11 @@ TEST(PresetErrors, SayWhatIsAllowedWhereTheValueStands) {
             "p.json:3:26: field 'intrinsic_roughness': is \"rough\"; allowed: a number from 1e-09 to 1");
   EXPECT_EQ(fault_of(preset_with("\"intrinsic_roughness\": true")),
             "p.json:3:26: field 'intrinsic_roughness': is true; allowed: a number from 1e-09 to 1");
+  EXPECT_EQ(fault_of(preset_with("\"exact\": {\"vertex_shift\": 1}")),
+            "p.json:3:29: field 'exact.vertex_shift': is 1; allowed: true or false");
+  EXPECT_EQ(fault_of(preset_with("\"methods\": [true]")),
+            "p.json:3:14: field 'methods': is [true]; allowed: a list of \"exact\", \"binning\", at least one, none "
+            "twice");
   EXPECT_EQ(fault_of(preset_with("\"intrinsic_roughness\": [0.1]")),
             "p.json:3:26: field 'intrinsic_roughness': is [0.1]; allowed: a number from 1e-09 to 1");
   EXPECT_EQ(fault_of(preset_with("\"grid\": {\"size\": -4}")),

@@ -109,6 +109,30 @@ TEST(ColorMap, NeverHidesClipping) {
   EXPECT_DOUBLE_EQ(scale.position(1), 0.5);
 }
 
+TEST(ColorMap, DifferencesHaveTheStopsOfTheDesign) {
+  EXPECT_EQ(difference_color(-1), DisplayColor(0x9c, 0xd3, 0xff));
+  EXPECT_EQ(difference_color(-0.6), DisplayColor(0x3f, 0x8f, 0xcf));
+  EXPECT_EQ(difference_color(-0.25), DisplayColor(0x1d, 0x45, 0x66));
+  EXPECT_EQ(difference_color(0), DisplayColor(0x0b, 0x0b, 0x0b));
+  EXPECT_EQ(difference_color(0.25), DisplayColor(0x66, 0x2c, 0x16));
+  EXPECT_EQ(difference_color(0.6), DisplayColor(0xcc, 0x5a, 0x2c));
+  EXPECT_EQ(difference_color(1), DisplayColor(0xff, 0xbb, 0x9c));
+  EXPECT_EQ(difference_color(0.8), DisplayColor(230, 139, 100));  // half way between the last two
+  const double inf = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(difference_color(-inf), difference_color(-1));
+  EXPECT_EQ(difference_color(inf), difference_color(1));
+  EXPECT_EQ(difference_color(std::nan("")), DisplayColor(0xff, 0, 0));
+}
+
+TEST(ColorMap, TablesRunFromEndToEnd) {
+  EXPECT_EQ(viridis_table().front(), viridis(0));
+  EXPECT_EQ(viridis_table()[51], viridis(0.2));
+  EXPECT_EQ(viridis_table().back(), viridis(1));
+  EXPECT_EQ(difference_table().front(), difference_color(-1));
+  EXPECT_EQ(difference_table()[51], difference_color(-0.6));
+  EXPECT_EQ(difference_table().back(), difference_color(1));
+}
+
 TEST(ColorMap, FittedScaleIsFourDecadesUnderARoundNumber) {
   EXPECT_DOUBLE_EQ(fitted_scale(37).hi, 50);
   EXPECT_DOUBLE_EQ(fitted_scale(37).lo, 50e-4);

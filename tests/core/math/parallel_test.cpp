@@ -5,10 +5,16 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#ifdef __linux__
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
 
 namespace glint {
 namespace {
@@ -136,6 +142,53 @@ TEST(ThreadLimit, HoldsWhileItLives) {
   const ThreadLimit nonsense(-3);
   EXPECT_EQ(thread_count(), 1);
 }
+
+#ifdef __linux__
+int nice_of_this_thread() {
+  return getpriority(PRIO_PROCESS, static_cast<id_t>(gettid()));
+}
+
+TEST(BackgroundPriority, LowersLentThreadsAndNotTheCaller) {
+  if (thread_count() < 2) GTEST_SKIP() << "one thread lends none";
+  const int own = nice_of_this_thread();
+  if (own >= k_background_nice) GTEST_SKIP() << "the test itself has a low priority";
+  const BackgroundPriority background;
+  const auto caller = std::this_thread::get_id();
+  std::atomic<int> lent_blocks{0};
+  std::vector<double> parts(200);
+  std::vector<int> nice(parts.size());
+  JobControl control;
+  ASSERT_TRUE(parallel_blocks(parts.size(), control, [&](std::size_t block) {
+    const bool lent = std::this_thread::get_id() != caller;
+    if (lent) ++lent_blocks;
+    nice[block] = nice_of_this_thread() - (lent ? k_background_nice : own);
+    parts[block] = static_cast<double>(block);
+    // The caller waits for a lent thread to come, so that there is one.
+    for (int wait = 0; wait < 1000 && !lent && lent_blocks == 0; ++wait) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }));
+  EXPECT_GT(lent_blocks.load(), 0);
+  EXPECT_EQ(std::accumulate(parts.begin(), parts.end(), 0.0), 199.0 * 200 / 2);
+  EXPECT_EQ(std::count(nice.begin(), nice.end(), 0), 200);
+  EXPECT_EQ(nice_of_this_thread(), own);
+}
+
+TEST(BackgroundPriority, OfAThreadOfOnesOwnIsLoweredOnce) {
+  const int own = nice_of_this_thread();
+  int lowered = 0;
+  int again = 0;
+  std::thread([&] {
+    lower_priority_of_this_thread();
+    lowered = nice_of_this_thread();
+    lower_priority_of_this_thread();
+    again = nice_of_this_thread();
+  }).join();
+  EXPECT_EQ(lowered, std::max(own, k_background_nice));
+  EXPECT_EQ(again, lowered);
+  EXPECT_EQ(nice_of_this_thread(), own);
+}
+#endif
 
 }  // namespace
 }  // namespace glint

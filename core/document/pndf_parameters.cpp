@@ -1,0 +1,138 @@
+// Declarations: the footprint, the methods and their settings, and the grid of a P-NDF image.
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "core/document/names.h"
+#include "core/document/parameter_access.h"
+#include "core/document/parameter_table.h"
+#include "core/pndf/pndf_grid.h"
+
+namespace glint {
+namespace {
+
+bool has_method(const Document& document, PndfMethod method) {
+  return std::find(document.methods.begin(), document.methods.end(), method) != document.methods.end();
+}
+bool of_binning(const Document& document) {
+  return has_method(document, PndfMethod::binning);
+}
+// Only the smooth surface has 32 triangles; whether `auto` becomes smooth is for the map to tell.
+bool of_exact_on_smooth(const Document& document) {
+  return has_method(document, PndfMethod::exact) &&
+         document.surface.interpolation.value_or(Interpolation::smooth) == Interpolation::smooth;
+}
+
+constexpr std::array<std::string_view, 2> k_x_y{"x", "y"};
+constexpr std::array<std::string_view, 3> k_covariance{"sxx", "sxy", "syy"};
+constexpr std::array<std::string_view, 4> k_window{"smin", "smax", "tmin", "tmax"};
+constexpr std::string_view k_yan14_pndf = "Yan et al. 2014, eq. 3";
+
+constexpr std::array k_parameters{
+    Parameter{
+        .path = "footprint.center",
+        .label = "footprint centre",
+        .short_label = "Centre",
+        .symbol = "u_p",
+        .unit = "texels",
+        .kind = ParameterKind::numbers,
+        .range = {-1e9, 1e9},
+        .components = k_x_y,
+        .help = "Where the pixel looks: the centre of its footprint; texel (i, j) has its centre at i + 0.5, j + 0.5.",
+        .source = k_yan14_pndf,
+        .access = at<[](auto& d) -> auto& { return d.footprint.center; }>(),
+        .matters = always},
+    Parameter{.path = "footprint.covariance",
+              .label = "footprint covariance",
+              .short_label = "Covariance",
+              .symbol = "Sigma_p",
+              .unit = "texels squared",
+              .kind = ParameterKind::numbers,
+              .range = {-1e10, 1e10},
+              .components = k_covariance,
+              .help = "Size and shape of the pixel's footprint: the covariance of its Gaussian.",
+              .source = k_yan14_pndf,
+              .access = at<[](auto& d) -> auto& { return d.footprint.covariance; }>(),
+              .matters = always},
+    Parameter{.path = "intrinsic_roughness",
+              .label = "intrinsic roughness",
+              .short_label = "Roughness σ",
+              .symbol = "sigma_r",
+              .kind = ParameterKind::number,
+              .range = {1e-9, 1},
+              .slider = {1e-3, 0.3, true},
+              .help = "The roughness below the map's texels: the standard deviation of its Gaussian on the unit disk.",
+              .source = k_yan14_pndf,
+              .access = at<[](auto& d) -> auto& { return d.intrinsic_roughness; }>(),
+              .matters = always},
+    Parameter{.path = "methods",
+              .label = "methods",
+              .short_label = "Methods",
+              .kind = ParameterKind::choices,
+              .choices = k_choice_names<PndfMethod>,
+              .help = "The methods that compute the P-NDF, in the order in which they are shown.",
+              .source = "Yan et al. 2014, sections 4 to 6 (exact) and the comparison against reference (binning)",
+              .access = at<[](auto& d) -> auto& { return d.methods; }>(),
+              .matters = always},
+    Parameter{.path = "exact.vertex_shift",
+              .label = "vertex shift",
+              .short_label = "Vertex shift",
+              .kind = ParameterKind::flag,
+              .help = "Moves the vertices of the 32-triangle surface so that its triangles lose their O(h^2) bias.",
+              .source = "this tool: exact evaluation",
+              .access = at<[](auto& d) -> auto& { return d.exact_vertex_shift; }>(),
+              .matters = of_exact_on_smooth},
+    Parameter{.path = "binning.samples",
+              .label = "binning samples",
+              .short_label = "Samples",
+              .kind = ParameterKind::integer,
+              .integer_range = {1, 10'000'000'000},
+              .slider = {1e3, 1e8, true},
+              .help = "How many normals the binning method draws; four times as many halve its noise.",
+              .source = "Yan et al. 2014, comparison against reference",
+              .access = at<[](auto& d) -> auto& { return d.binning_samples; }>(),
+              .matters = of_binning},
+    Parameter{.path = "grid.size",
+              .label = "grid size",
+              .short_label = "Grid size",
+              .unit = "cells",
+              .kind = ParameterKind::integer,
+              .integer_range = {1, k_largest_grid_side},
+              .slider = {16, 1024, true},
+              .help = "Cells per side of a P-NDF image.",
+              .source = "this tool: P-NDF images",
+              .access = at<[](auto& d) -> auto& { return d.grid.size; }>(),
+              .matters = always},
+    Parameter{.path = "grid.window",
+              .label = "grid window",
+              .short_label = "Window",
+              .symbol = "s, t",
+              .kind = ParameterKind::numbers,
+              .range = {-100, 100},
+              .components = k_window,
+              .ascending = true,
+              .strictly = true,
+              .instead = "fit",
+              .help = "The part of the disk of normals that a P-NDF image shows, or fit: as much as the lobe needs.",
+              .source = "this tool: P-NDF images",
+              .access = at<[](auto& d) -> auto& { return d.grid.window; }>(),
+              .matters = always},
+    Parameter{.path = "seed",
+              .label = "seed",
+              .short_label = "Seed",
+              .kind = ParameterKind::integer,
+              .integer_range = {0, UINT64_MAX},
+              .help = "Chooses the random numbers of the methods that draw some; the same seed gives the same bytes.",
+              .source = "this tool: PCG32 random streams",
+              .access = at<[](auto& d) -> auto& { return d.seed; }>(),
+              .matters = of_binning},
+};
+
+}  // namespace
+
+std::span<const Parameter> pndf_parameters() {
+  return k_parameters;
+}
+
+}  // namespace glint
