@@ -42,6 +42,7 @@ std::string noise_text(const PndfImage& image) {
 
 Canvas false_color_picture(const Document& document, std::span<const MethodImage> images) {
   std::vector<PictureEntry> entries;
+  entries.reserve(images.size());
   for (const MethodImage& m : images) entries.push_back(entry_of(document, m));
   const SymmetricMatrix2& c = document.footprint.covariance;
   std::string footer = fmt::format(

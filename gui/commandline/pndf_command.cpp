@@ -166,6 +166,7 @@ class PndfCommand final : public Command {
       written = write_pndf_exr(output_.words, named, recipe_of(document));
     } else {
       std::vector<MethodImage> images;
+      images.reserve(made.size());
       for (const ComputedImage& m : made) images.push_back({m.method, m.info.surface, &m.image});
       const Canvas canvas = false_color_picture(document, images);
       if (canvas.text_missing()) print_message(options_.quiet(), "no font was found: the picture has no text");

@@ -71,7 +71,7 @@ class WindowLoop {
       }
       if (window_.minimised() || (!hurry && !happened && pace == Application::Pace::on_event)) continue;
       draw();
-      if (const Status played = script_state(); !played) return played;
+      if (Status played = script_state(); !played) return played;
     }
     return success();
   }

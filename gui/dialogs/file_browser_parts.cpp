@@ -229,6 +229,7 @@ void FileBrowser::draw_status(const Ui& ui, const Rectangle& area, const Intent&
 
 std::optional<FileBrowser::Bottom> FileBrowser::draw_bottom(Ui& ui, const Rectangle& area, const Intent& intent) {
   std::vector<std::string_view> labels;
+  labels.reserve(filters_.size());
   for (const FileFilter& one : filters_) labels.push_back(one.label);
   const float filter_width = ui.px(164);
   const Rectangle filter_area{area.min, {area.min.x + filter_width, area.max.y}};

@@ -34,12 +34,12 @@ Result<std::unique_ptr<HeadlessWindow>> HeadlessWindow::create(glm::ivec2 size, 
 
 HeadlessWindow::~HeadlessWindow() = default;
 
-void HeadlessWindow::frame() {
+void HeadlessWindow::frame(bool rests) {
   framebuffer_->bind();
   seconds_ += k_step;
   application_->frame(framebuffer_->size(), seconds_, k_step);
   // Drawing takes the processor from the jobs, and nobody watches.
-  if (!application_->jobs_idle()) std::this_thread::sleep_for(std::chrono::milliseconds(40));
+  if (rests && !application_->jobs_idle()) std::this_thread::sleep_for(std::chrono::milliseconds(40));
 }
 
 Status HeadlessWindow::settle(JobControl& control) {

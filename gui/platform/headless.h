@@ -24,8 +24,9 @@ class HeadlessWindow {
   [[nodiscard]] std::string& clipboard() { return *clipboard_; }
   [[nodiscard]] const view::GlFunctions& gl() const { return context_->gl(); }
 
-  /// One frame, a sixtieth of a second after the last; leaves the processor to the jobs for a moment while they work.
-  void frame();
+  /// One frame, a sixtieth of a second after the last. `rests`: then leaves the processor to the jobs for a moment, if
+  /// they work.
+  void frame(bool rests = true);
   /// Frames until the jobs are done and what they made has been drawn. An error when `control` was cancelled.
   Status settle(JobControl& control);
   /// Frames until the script has ended.

@@ -157,14 +157,14 @@ void Application::draw(view::Ui& ui) {
 
 void Application::draw_splitters(view::Ui& ui, const Layout& layout) {
   for (int k = 0; k < layout.splitter_count; ++k) {
-    const Splitter& splitter = layout.splitters[k];
+    const Splitter& splitter = layout.splitters[static_cast<std::size_t>(k)];
     const view::Press press = view::pressable(ui, splitter.name, splitter.area,
                                               {"Drag to share the room between the panels",
                                                "Arrow keys move it too; View, Reset the layout takes it back.",
                                                {}});
     view::UiState& state = ui.state;
     if (press.hovered || press.held) mouse_shape_ = MouseShape::resize_horizontal;
-    const double width = layout.panels[static_cast<int>(Panel::inspector)].max.x - layout.panels[0].min.x;
+    const double width = layout.panels[static_cast<std::size_t>(Panel::inspector)].max.x - layout.panels[0].min.x;
     const double room = k == 0 ? layout.splitters[1].area.min.x - layout.panels[0].min.x : width;
     double moved = 0;
     if (press.held && ImGui::GetIO().MouseDelta.x != 0) moved = ImGui::GetIO().MouseDelta.x / room;
@@ -276,7 +276,7 @@ Status Application::set(const Parameter& parameter, const ParameterValue& value)
 
 Result<bool> Application::bring_to_view(const std::string& widget) {
   const view::WidgetRecord::Entry* entry = widgets().find(widget);
-  const view::Rectangle& room = layout_.panels[static_cast<int>(Panel::inspector)];
+  const view::Rectangle& room = layout_.panels[static_cast<std::size_t>(Panel::inspector)];
   // Only the Inspector scrolls.
   if (entry == nullptr || room.width() <= 0) return false;
   const ImVec2 center = entry->area.center();

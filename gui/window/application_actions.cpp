@@ -290,8 +290,8 @@ class Registrar {
 
   void step_preset(int by) {
     const std::vector<PresetEntry>& presets = bench().presets();
-    if (presets.empty()) return;
     const int count = static_cast<int>(presets.size());
+    if (count == 0) return;
     int at = by > 0 ? -1 : count;
     for (int k = 0; k < count; ++k) {
       if (presets[static_cast<std::size_t>(k)].file == bench().preset_file()) at = k;

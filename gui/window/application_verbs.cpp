@@ -88,7 +88,7 @@ void Application::focus_panel(int step) {
   int panel = static_cast<int>(panels_.focused());
   for (int tries = 0; tries < k_panel_count; ++tries) {
     panel = (panel + step + k_panel_count) % k_panel_count;
-    if (layout_.panels[panel].width() > 0) break;
+    if (layout_.panels[static_cast<std::size_t>(panel)].width() > 0) break;
   }
   panels_.focus(static_cast<Panel>(panel));
   view::UiState& state = screen_->state();

@@ -65,6 +65,7 @@ std::string pictures_reason(const Workbench& workbench) {
 
 Status write_images(const std::filesystem::path& path, const view::PndfResults& results) {
   std::vector<NamedPndfImage> images;
+  images.reserve(results.methods.size());
   for (const view::MethodPicture& picture : results.methods) {
     images.push_back({std::string(choice_name(picture.method)), picture.image.get()});
   }
@@ -73,6 +74,7 @@ Status write_images(const std::filesystem::path& path, const view::PndfResults& 
 
 Status write_false_color(const std::filesystem::path& path, const view::PndfResults& results) {
   std::vector<MethodImage> images;
+  images.reserve(results.methods.size());
   for (const view::MethodPicture& picture : results.methods) {
     images.push_back({picture.method, results.surface->loaded.surface.interpolation(), picture.image.get()});
   }
@@ -118,7 +120,7 @@ Result<ExportWhat> export_named(std::string_view key) {
 
 std::string export_reason(ExportWhat what, const ExportSource& source) {
   if (const std::optional<Panel> panel = panel_of(what)) {
-    return source.layout.panels[static_cast<int>(*panel)].width() > 0 ? "" : "The panel is not on screen.";
+    return source.layout.panels[static_cast<std::size_t>(*panel)].width() > 0 ? "" : "The panel is not on screen.";
   }
   switch (what) {
     case ExportWhat::pndf_images:
@@ -143,7 +145,7 @@ Status write_export(const ExportOrder& order, const ExportSource& source) {
     return content_error(order.path.string(), "cannot be written: " + reason.substr(0, reason.size() - 1));
   }
   if (const std::optional<Panel> panel = panel_of(order.what)) {
-    return write_cut(order.path, source, source.layout.panels[static_cast<int>(*panel)]);
+    return write_cut(order.path, source, source.layout.panels[static_cast<std::size_t>(*panel)]);
   }
   if (order.what == ExportWhat::window) {
     return write_cut(order.path, source,

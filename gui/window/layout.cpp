@@ -54,7 +54,7 @@ Layout compute_layout(ImVec2 window, float scale, float message_height, const st
 
   for (int k = 0; k < k_panel_count; ++k) {
     if (maximised == panel_name(static_cast<Panel>(k))) {
-      layout.panels[k] = room;
+      layout.panels[static_cast<std::size_t>(k)] = room;
       return layout;
     }
   }

@@ -1,6 +1,7 @@
 #pragma once
 // Where the panels stand: pure geometry from the window's size and the splitters' ratios, in pixels.
 
+#include <array>
 #include <map>
 #include <string>
 
@@ -27,8 +28,8 @@ struct Layout {
   view::Rectangle menu_bar;
   view::Rectangle messages;
   view::Rectangle status_bar;
-  view::Rectangle panels[k_panel_count];  ///< empty: not shown
-  Splitter splitters[2];                  ///< between map and P-NDF, and left of the Inspector
+  std::array<view::Rectangle, k_panel_count> panels;  ///< empty: not shown
+  std::array<Splitter, 2> splitters;                  ///< between map and P-NDF, and left of the Inspector
   int splitter_count = 0;
 };
 

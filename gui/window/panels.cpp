@@ -6,7 +6,7 @@ namespace glint::gui {
 namespace {
 
 const view::Rectangle& area_of(const Layout& layout, Panel panel) {
-  return layout.panels[static_cast<int>(panel)];
+  return layout.panels[static_cast<std::size_t>(panel)];
 }
 
 template <class Events>
@@ -80,6 +80,7 @@ void Panels::draw_pndf(view::Ui& ui, const Layout& layout, Workbench& workbench,
 void Panels::draw_inspector(view::Ui& ui, const Layout& layout, Workbench& workbench, PanelWishes& wishes) {
   const DocumentJobs& jobs = workbench.jobs();
   std::vector<std::string> names;
+  names.reserve(workbench.presets().size());
   for (const PresetEntry& entry : workbench.presets()) names.push_back(entry.name);
   view::InspectorInput input{.document = workbench.document(), .saved = workbench.editor().saved()};
   input.is_saved = workbench.editor().is_saved();

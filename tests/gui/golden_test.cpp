@@ -2,6 +2,8 @@
 
 #include "tests/gui/golden.h"
 
+#include <ostream>
+
 #include <gtest/gtest.h>
 
 #include "tests/gui/application_stage.h"
@@ -14,6 +16,10 @@ struct Screen {
   glm::ivec2 size;
   float scale;
 };
+
+void PrintTo(const Screen& screen, std::ostream* out) {
+  *out << screen.name;
+}
 
 class Golden : public ::testing::TestWithParam<Screen> {};
 

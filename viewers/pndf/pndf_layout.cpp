@@ -99,8 +99,9 @@ PndfLayout stacked_layout(const Ui& ui, const Rectangle& content, std::size_t me
       ui.px(k_gap) + std::clamp(std::floor(spare / static_cast<float>(columns)), 0.0F, ui.px(k_widest_gap - k_gap));
   const float row_step = side + around_picture(ui, m) + ui.px(k_row_gap);
   const auto square = [&](std::size_t k) {
-    const float x = left + static_cast<float>(k % columns) * (side + gap);
-    const float y = layout.title_top + layout.title_height + static_cast<float>(k / columns) * row_step;
+    const std::size_t row = k / columns;
+    const float x = left + static_cast<float>(k - row * columns) * (side + gap);
+    const float y = layout.title_top + layout.title_height + static_cast<float>(row) * row_step;
     return Rectangle{{x, y}, {x + side, y + side}};
   };
   for (std::size_t k = 0; k < methods; ++k) layout.pictures.push_back(square(k));

@@ -1,6 +1,7 @@
 #include "viewers/widgets/fonts.h"
 
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <imgui_freetype.h>
 #include <span>
@@ -41,7 +42,7 @@ ImFont* add(ImFontAtlas& atlas, Files files, float pixels) {
 }
 
 float whole(float pixels) {
-  return static_cast<float>(static_cast<int>(pixels + 0.5F));
+  return std::floor(pixels + 0.5F);
 }
 
 }  // namespace

@@ -154,8 +154,9 @@ std::optional<int> combo(Ui& ui, std::string_view name, const Rectangle& area, s
   draw_icon(ui, list, Icon::arrow_down, {area.max.x - ui.px(13), area.center().y},
             press.enabled ? color::k_text_2 : color::k_disabled);
   if (press.pressed) open_popup(ui, name);
-  std::vector<PopupRow> rows;
   if (!popup_open(ui, name)) return std::nullopt;
+  std::vector<PopupRow> rows;
+  rows.reserve(labels.size());
   for (std::size_t k = 0; k < labels.size(); ++k) {
     PopupRow row;
     row.key = labels[k];
