@@ -1,5 +1,5 @@
 #pragma once
-// Text that people or files hand in: is it UTF-8, and how does it fit into one line of an error. Private to document/.
+// Text that people or files hand in: is it UTF-8, and how does it fit into one line of an error.
 
 #include <cstddef>
 #include <optional>

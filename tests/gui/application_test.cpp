@@ -151,7 +151,7 @@ TEST(Application, ClosingWhileJobsRunIsQuick) {
   EXPECT_LT(std::chrono::duration<double>(Clock::now() - begin).count(), 10.0);  // the jobs would take minutes
 }
 
-TEST(Application, CancelKeepsThePicturesAndComputeAgainFinishesThem) {
+TEST(Application, CancelKeepsThePicturesAndTheNextEditComputesAgain) {
   const ApplicationStage stage;
   stage.open_small();
   stage.play("set binning.samples 2e9\nwait 5");

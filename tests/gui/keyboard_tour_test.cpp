@@ -66,7 +66,12 @@ TEST(KeyboardTour, OpensAMenuAndRunsWhatIsInIt) {
   const ApplicationStage stage;
   stage.open_small();
   tab_to(stage, "menu.View");
-  stage.play("key Enter\nwait 3\nkey Down\nwait 1\nkey Esc\nwait 2");
+  ASSERT_NE(stage.document().view.map_colors, MapColors::slope);
+  stage.play("key Enter\nwait 3");
+  EXPECT_FALSE(stage.app().screen().state().open_popup.empty());
+  for (int down = 0; down < 6; ++down) stage.play("key Down\nwait 1");  // from "Whole map" to "Map as slope"
+  stage.play("key Enter\nwait 3");
+  EXPECT_EQ(stage.document().view.map_colors, MapColors::slope);
   EXPECT_TRUE(stage.app().screen().state().open_popup.empty());
 }
 
@@ -80,7 +85,7 @@ TEST(KeyboardTour, GoesFromPanelToPanel) {
   EXPECT_EQ(stage.app().panels().focused(), first);
 }
 
-TEST(KeyboardTour, SavesAndExportsThroughTheDialogs) {
+TEST(KeyboardTour, SavesThroughTheDialog) {
   const ApplicationStage stage;
   stage.open_small();
   stage.play("key Ctrl+Shift+S\nwait 3\nkey Ctrl+A\ntype keyboard steel\nwait 2\nkey Enter\nwait 5");
