@@ -11,6 +11,7 @@
 
 #include "core/document/names.h"
 #include "core/document/preset.h"
+#include "core/document/value_words.h"
 #include "core/image/atomic_file.h"
 #include "gui/commandline/console.h"
 
@@ -95,36 +96,9 @@ Error wrong_words(const std::string& flag, const std::string& words, std::string
 }  // namespace
 
 Result<ParameterValue> parse_value(const Parameter& parameter, const std::string& flag, const std::string& words) {
-  ParameterValue value = words;
-  switch (parameter.kind) {
-    case ParameterKind::number:
-      if (const auto number = number_from<double>(words)) value = *number;
-      break;
-    case ParameterKind::integer:
-      if (const auto number = number_from<std::uint64_t>(words)) {
-        value = *number;
-      } else if (const auto written = number_from<double>(words)) {  // 1e7
-        value = *written;
-      }
-      break;
-    case ParameterKind::flag:
-      if (words == "true" || words == "false") value = words == "true";
-      break;
-    case ParameterKind::numbers:
-      if (words == parameter.instead) break;
-      if (auto numbers = numbers_from(words)) value = std::move(*numbers);
-      break;
-    case ParameterKind::choices:
-      value = split(words);
-      break;
-    case ParameterKind::text:
-    case ParameterKind::path:
-    case ParameterKind::choice:
-      break;
-  }
-  Result<ParameterValue> checked = parameter.checked(value);
-  if (!checked) return request_error(flag, checked.error().sentence);
-  return checked;
+  Result<ParameterValue> value = value_from_words(parameter, words);
+  if (!value) return request_error(flag, value.error().sentence);
+  return value;
 }
 
 std::unique_ptr<FieldOption> add_field_option(CLI::App& app, const std::string& flag, const char* path) {
