@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "viewers/gl/framebuffer.h"
 #include "viewers/widgets/theme.h"
 
 namespace glint::view {
@@ -34,7 +33,6 @@ void Screen::set_scale(float scale) {
 }
 
 void Screen::draw(glm::ivec2 size, const Frame& frame, const std::function<void(Ui&)>& body) {
-  size_ = size;
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
   io.DeltaTime = frame.step > 0 ? frame.step : 1e-4F;
@@ -49,20 +47,41 @@ void Screen::draw(glm::ivec2 size, const Frame& frame, const std::function<void(
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
   constexpr ImGuiWindowFlags k_host = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
-                                      ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBringToFrontOnFocus;
+                                      ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                      ImGuiWindowFlags_NoBackground;
   ImGui::Begin("##host", nullptr, k_host);
   ImGui::PopStyleVar(3);
   body(ui);
   ImGui::End();
   ImGui::Render();
-  renderer_->draw(*ImGui::GetDrawData(), as_vector(color::k_window));
+  if (size.x > 0 && size.y > 0) paint(size);
   state_.focus.activate = false;
   state_.focus.right = state_.focus.down = 0;
   state_.focus.moved = false;
 }
 
+void Screen::paint(glm::ivec2 size) {
+  if (!canvas_ || canvas_->size() != size) {
+    canvas_ = std::make_unique<Framebuffer>(context_.gl(), size);
+    damage_.forget();
+  }
+  const std::vector<PixelRectangle> damaged = damage_.update(*ImGui::GetDrawData());
+  canvas_->bind();
+  renderer_->draw(*ImGui::GetDrawData(), damaged, as_vector(color::k_window));
+  changed_ = changed_ || !damaged.empty();
+}
+
+bool Screen::show(bool anyway) {
+  if (!canvas_ || !(changed_ || anyway)) return false;
+  canvas_->copy_to_window();
+  changed_ = false;
+  return true;
+}
+
 std::vector<std::uint8_t> Screen::pixels() const {
-  return read_pixels(context_.gl(), size_);
+  if (!canvas_) return {};
+  canvas_->bind();
+  return read_pixels(context_.gl(), canvas_->size());
 }
 
 }  // namespace glint::view

@@ -10,7 +10,9 @@
 #include <glm/vec2.hpp>
 
 #include "core/math/result.h"
+#include "viewers/gl/draw_damage.h"
 #include "viewers/gl/draw_renderer.h"
+#include "viewers/gl/framebuffer.h"
 #include "viewers/gl/gl_context.h"
 #include "viewers/widgets/ui.h"
 
@@ -35,18 +37,22 @@ class Screen {
     bool headless = false;
     bool blocked = false;  ///< something lies over the panels
   };
-  /// Draws one frame into what is bound: `body` draws inside a window that covers all of `size`. Input stands in
-  /// ImGui's io before the call.
+  /// Draws one frame into memory of its own, only where it differs from the one before: `body` draws inside a window
+  /// that covers all of `size`. Input stands in ImGui's io before the call.
   void draw(glm::ivec2 size, const Frame& frame, const std::function<void(Ui&)>& body);
+
+  /// Copies the last frame to the window of the context, if it has changed since or `anyway`; returns whether it did.
+  bool show(bool anyway = false);
 
   /// Of the last frame.
   [[nodiscard]] const WidgetRecord& widgets() const { return widgets_; }
   [[nodiscard]] UiState& state() { return state_; }
-  /// The last frame, if what it was drawn to is still bound: RGB bytes, rows from the top.
+  /// The last frame: RGB bytes, rows from the top.
   [[nodiscard]] std::vector<std::uint8_t> pixels() const;
 
  private:
   explicit Screen(GlContext& context) : context_(context) {}
+  void paint(glm::ivec2 size);
 
   GlContext& context_;
   ImGuiContext* imgui_ = nullptr;
@@ -55,7 +61,9 @@ class Screen {
   FramePictures pictures_;
   WidgetRecord widgets_;
   UiState state_;
-  glm::ivec2 size_{0, 0};
+  std::unique_ptr<Framebuffer> canvas_;
+  DrawDamage damage_;
+  bool changed_ = false;
   float scale_ = 1;
 };
 

@@ -20,7 +20,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double k_wait = 0.05;       // seconds; short, so that Ctrl-C in a terminal is heard
+constexpr double k_wait = 0.05;  // seconds; short, so that Ctrl-C in a terminal is heard
+constexpr std::chrono::milliseconds k_frame(16);
 constexpr int k_settling_frames = 3;  // what appears is laid out in one frame and drawn in the next
 
 Workbench::Places places_of_this_user(bool remember) {
@@ -61,7 +62,11 @@ class WindowLoop {
       const Application::Pace pace = application_.pace();
       const bool hurry = pace == Application::Pace::at_once || frames_left > 0;
       const auto before = Clock::now();
-      window_.poll(hurry ? 0 : k_wait);
+      if (hurry) {
+        poll_until_next_frame();
+      } else {
+        window_.poll(k_wait);
+      }
       // A wait that ended early was ended by something that happened.
       const bool happened = Clock::now() - before < std::chrono::duration<double>(0.9 * k_wait);
       frames_left = happened && !hurry ? k_settling_frames : std::max(0, frames_left - 1);
@@ -77,12 +82,21 @@ class WindowLoop {
   }
 
  private:
+  // A window that nothing changed in is not shown again, so nothing else slows the frames down.
+  void poll_until_next_frame() {
+    const Clock::time_point next = last_ + k_frame;
+    window_.poll(0);
+    for (Clock::time_point now = Clock::now(); now < next; now = Clock::now()) {
+      window_.poll(std::chrono::duration<double>(next - now).count());
+    }
+  }
+
   void draw() {
     const Clock::time_point now = Clock::now();
     const float step = std::chrono::duration<float>(now - last_).count();
     last_ = now;
     application_.frame(window_.size(), std::chrono::duration<double>(now - begin_).count(), step);
-    window_.swap();
+    if (application_.screen().show(window_.take_exposure())) window_.swap();
     window_.set_cursor(cursor_of(application_.mouse_shape()));
     const std::string title = application_.workbench().title() + " – Glintscope";
     if (title != title_) window_.set_title(title_ = title);

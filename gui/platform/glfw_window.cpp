@@ -71,6 +71,7 @@ class GlfwWindow final : public Window {
     set_callbacks();
   }
   void swap() override { glfwSwapBuffers(window_); }
+  [[nodiscard]] bool take_exposure() override { return std::exchange(exposed_, false); }
   void poll(double seconds) override {
     if (seconds > 0) {
       glfwWaitEventsTimeout(seconds);
@@ -146,6 +147,7 @@ class GlfwWindow final : public Window {
     glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int focused) {
       if (focused == GLFW_FALSE) push(w, FocusLost{});
     });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { of(w).exposed_ = true; });
     glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
       push(w, FileDrop{{paths, paths + count}});
     });
@@ -156,6 +158,7 @@ class GlfwWindow final : public Window {
   view::GlFunctions gl_;
   std::array<GLFWcursor*, 6> cursors_{};
   Cursor shown_ = Cursor::arrow;
+  bool exposed_ = false;
 };
 
 }  // namespace

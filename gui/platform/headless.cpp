@@ -19,7 +19,6 @@ Result<std::unique_ptr<HeadlessWindow>> HeadlessWindow::create(glm::ivec2 size, 
   if (!context) return context.error();
   std::unique_ptr<HeadlessWindow> made(new HeadlessWindow());
   made->context_ = std::move(*context);
-  made->framebuffer_ = std::make_unique<view::Framebuffer>(made->context_->gl(), size);
   ApplicationSetup setup;
   setup.places = std::move(places);
   setup.headless = true;
@@ -35,9 +34,8 @@ Result<std::unique_ptr<HeadlessWindow>> HeadlessWindow::create(glm::ivec2 size, 
 HeadlessWindow::~HeadlessWindow() = default;
 
 void HeadlessWindow::frame(bool rests) {
-  framebuffer_->bind();
   seconds_ += k_step;
-  application_->frame(framebuffer_->size(), seconds_, k_step);
+  application_->frame(context_->size(), seconds_, k_step);
   // Drawing takes the processor from the jobs, and nobody watches.
   if (rests && !application_->jobs_idle()) std::this_thread::sleep_for(std::chrono::milliseconds(40));
 }

@@ -8,7 +8,6 @@
 
 #include "core/math/parallel.h"
 #include "gui/window/application.h"
-#include "viewers/gl/framebuffer.h"
 #include "viewers/gl/gl_context.h"
 
 namespace glint::gui {
@@ -37,7 +36,6 @@ class HeadlessWindow {
 
   std::shared_ptr<std::string> clipboard_;
   std::unique_ptr<view::GlContext> context_;
-  std::unique_ptr<view::Framebuffer> framebuffer_;
   std::unique_ptr<Application> application_;
   double seconds_ = 0;
 };

@@ -18,6 +18,8 @@ class Window : public view::GlContext {
   virtual void listen(InputQueue& input) = 0;
   /// Shows what was drawn.
   virtual void swap() = 0;
+  /// True once after the desktop lost what was shown.
+  [[nodiscard]] virtual bool take_exposure() = 0;
   /// Handles what has happened; waits up to `seconds` for something to happen first.
   virtual void poll(double seconds) = 0;
   /// Ends a wait of poll(); from any thread.

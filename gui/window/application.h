@@ -50,7 +50,7 @@ class Application final : public ScriptTarget {
   void start_script(Script script);
   [[nodiscard]] const std::optional<ScriptProgress>& script_progress() const { return script_progress_; }
 
-  /// Draws one frame into what is bound.
+  /// Draws one frame; screen().show() brings it to the window.
   void frame(glm::ivec2 size, double seconds, float step);
   /// How soon the next frame is wanted.
   enum class Pace {

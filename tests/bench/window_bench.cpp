@@ -1,5 +1,5 @@
 // How smooth the window is under software OpenGL while jobs take every core: frame times of a drag, a zoom and clicks,
-// and the time from a click to its first picture.
+// the time from a click to its first picture, and frames in which nothing changes.
 //
 //   bench_window [PRESET [SIGMA]]
 
@@ -55,6 +55,14 @@ class Bench {
     fmt::print("{:<28} {:>5} frames  median {:>6.1f} ms  p95 {:>6.1f} ms  longest {:>6.1f} ms\n", what, times_.size(),
                times_[times_.size() / 2], times_[times_.size() * 95 / 100], times_.back());
     times_.clear();
+  }
+
+  void rest() {
+    while (!app().jobs_idle()) window_.frame(true);
+    frames(10);
+    times_.clear();
+    frames(60);
+    report("at rest");
   }
 
   void drag() {
@@ -135,6 +143,7 @@ int main(int argc, char** argv) {
   }
   Bench bench(**window, argc > 2 ? std::atof(argv[2]) : 20.0 / 6);
   bench.warm_up();
+  bench.rest();
   bench.drag();
   bench.zoom();
   bench.clicks();

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <set>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,6 +13,7 @@
 #include "core/document/workspace.h"
 #include "core/image/pndf_exr.h"
 #include "tests/gui/application_stage.h"
+#include "tests/viewers/full_redraw.h"
 
 namespace glint::test {
 namespace {
@@ -53,6 +56,24 @@ TEST(Application, AClickInTheMapPlacesTheFootprintAndItsPicturesFollow) {
     ASSERT_NE(picture.image, nullptr);
     EXPECT_FALSE(picture.coarse);
     EXPECT_TRUE(picture.errors.has_value());
+  }
+}
+
+TEST(Application, FramesDrawnWhereTheyChangedLookLikeWholeOnes) {
+  const ApplicationStage stage;
+  FullRedraw full(stage.window->gl(), {1280, 720});
+  stage.open_small();
+  gui::InputQueue& input = stage.app().input();
+  const ImVec2 at = stage.app().panels().map().picture().center();
+  for (int k = 0; k < 60; ++k) {
+    input.push(gui::MouseMove{{at.x + 3 * static_cast<float>(k), at.y - 30 + static_cast<float>(k)}});
+    if (k == 5) input.push(gui::MouseButton{0, true, {}, true});
+    if (k == 25) input.push(gui::MouseButton{0, false, {}, true});
+    if (k > 30 && k < 40) input.push(gui::MouseWheel{{0, k < 36 ? 1.0F : -1.0F}});
+    if (k == 45) stage.app().overlays().open_palette();
+    if (k == 50) input.push(gui::Character{'s'});
+    stage.frames(1);
+    ASSERT_EQ(stage.app().screen().pixels(), full.pixels()) << "frame " << k;
   }
 }
 
@@ -117,16 +138,24 @@ TEST(Application, EscapeTakesBackADragUnderWay) {
   EXPECT_EQ(stage.document(), before);
 }
 
-TEST(Application, AHundredEditsInARowEndWithThePicturesOfTheLast) {
+TEST(Application, AHundredEditsInFiveSecondsShowPicturesOnTheWayAndEndWithThoseOfTheLast) {
+  using Clock = std::chrono::steady_clock;
   const ApplicationStage stage;
   stage.open_small();
+  std::set<std::uint64_t> shown;
   for (int k = 0; k < 100; ++k) {
     stage.app().workbench().change("Footprint", [&](Document& document) {
       document.footprint.center = {40 + 0.37 * k, 70 - 0.21 * k};
       document.intrinsic_roughness = 0.02 + 0.0002 * k;
     });
-    stage.frames(1);
+    const Clock::time_point next = Clock::now() + std::chrono::milliseconds(50);
+    do {
+      stage.window->frame(false);
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      shown.insert(stage.app().workbench().jobs().results()->methods[0].revision);
+    } while (Clock::now() < next);
   }
+  EXPECT_GT(shown.size(), 10U);
   stage.settle();
   const auto results = stage.app().workbench().jobs().results();
   EXPECT_EQ(results->document.footprint.center, glm::dvec2(40 + 0.37 * 99, 70 - 0.21 * 99));

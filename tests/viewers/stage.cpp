@@ -6,14 +6,12 @@
 
 #include "core/image/png_file.h"
 #include "gui/platform/osmesa_context.h"
-#include "viewers/gl/framebuffer.h"
 #include "viewers/screen.h"
 
 namespace glint::test {
 
 struct Stage::Own {
   std::unique_ptr<view::GlContext> context;
-  std::unique_ptr<view::Framebuffer> framebuffer;
   std::unique_ptr<view::Screen> screen;
   double seconds = 0;
 };
@@ -22,7 +20,6 @@ Stage::Stage(glm::ivec2 size, float scale) : own_(std::make_unique<Own>()) {
   auto context = gui::make_osmesa_context(size);
   if (!context) throw std::runtime_error(context.error().message());
   own_->context = std::move(*context);
-  own_->framebuffer = std::make_unique<view::Framebuffer>(own_->context->gl(), size);
   auto screen = view::Screen::create(*own_->context, scale);
   if (!screen) throw std::runtime_error(screen.error().message());
   own_->screen = std::move(*screen);
@@ -34,7 +31,7 @@ const view::GlFunctions& Stage::gl() const {
   return own_->context->gl();
 }
 glm::ivec2 Stage::size() const {
-  return own_->framebuffer->size();
+  return own_->context->size();
 }
 ImGuiIO& Stage::io() const {
   return ImGui::GetIO();
@@ -48,7 +45,6 @@ const view::WidgetRecord& Stage::widgets() const {
 
 void Stage::frame(const std::function<void(view::Ui&)>& body) {
   own_->seconds += 1.0 / 60;
-  own_->framebuffer->bind();
   own_->screen->draw(size(), {.seconds = own_->seconds, .headless = true}, body);
 }
 

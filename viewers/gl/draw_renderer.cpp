@@ -10,7 +10,8 @@
 namespace glint::view {
 namespace {
 
-constexpr std::size_t k_kinds = 4;  // of Shading
+constexpr std::size_t k_plain = 4;  // the program of plain colours, after those of Shading
+constexpr std::size_t k_programs = k_plain + 1;
 
 Result<GLuint> compile(const GlFunctions& gl, GLenum stage, const std::string& source) {
   const GLuint shader = gl.CreateShader(stage);
@@ -52,6 +53,11 @@ struct Program {
   GLint range = -1;
 };
 
+void set_scissor(const GlFunctions& gl, const ImDrawData& data, const PixelRectangle& rectangle) {
+  const auto height = static_cast<GLint>(data.DisplaySize.y);
+  gl.Scissor(rectangle.x0, height - rectangle.y1, rectangle.x1 - rectangle.x0, rectangle.y1 - rectangle.y0);
+}
+
 Result<Program> build_program(const GlFunctions& gl, std::size_t kind) {
   const Result<GLuint> vertex = compile(gl, GL_VERTEX_SHADER, k_vertex_shader);
   if (!vertex) return vertex.error();
@@ -79,7 +85,7 @@ Result<Program> build_program(const GlFunctions& gl, std::size_t kind) {
 }  // namespace
 
 struct DrawRenderer::Resources {
-  std::array<Program, k_kinds> programs;
+  std::array<Program, k_programs> programs;
   GLuint vertex_array = 0;
   GLuint vertices = 0;
   GLuint indices = 0;
@@ -107,7 +113,7 @@ DrawRenderer::~DrawRenderer() {
 }
 
 Status DrawRenderer::build() {
-  for (std::size_t kind = 0; kind < k_kinds; ++kind) {
+  for (std::size_t kind = 0; kind < k_programs; ++kind) {
     const Result<Program> program = build_program(gl_, kind);
     if (!program) return program.error();
     own_->programs[kind] = *program;
@@ -182,32 +188,49 @@ void DrawRenderer::set_picture(const FramePicture& picture) {
   if (program.range >= 0) gl_.Uniform4f(program.range, shading.lo, shading.hi, shading.logarithmic ? 1.0F : 0.0F, 0.0F);
 }
 
-void DrawRenderer::draw(const ImDrawData& data, ImVec4 background) {
-  const auto width = static_cast<GLsizei>(data.DisplaySize.x);
-  const auto height = static_cast<GLsizei>(data.DisplaySize.y);
-  gl_.Disable(GL_SCISSOR_TEST);
-  gl_.Viewport(0, 0, width, height);
+void DrawRenderer::set_fill(const PlannedDraw& draw) {
+  if (draw.fill == PlannedDraw::Fill::picture) {
+    gl_.Enable(GL_BLEND);
+    set_picture(*draw.picture);
+    return;
+  }
+  if (draw.fill == PlannedDraw::Fill::plain) {
+    gl_.Enable(GL_BLEND);
+  } else {
+    gl_.Disable(GL_BLEND);
+  }
+  gl_.UseProgram(own_->programs[k_plain].name);
+}
+
+void DrawRenderer::clear(const ImDrawData& data, std::span<const PixelRectangle> rectangles, ImVec4 background) {
   gl_.ClearColor(background.x, background.y, background.z, 1);
-  gl_.Clear(GL_COLOR_BUFFER_BIT);
-  if (width <= 0 || height <= 0) return;
+  for (const PixelRectangle& rectangle : rectangles) {
+    set_scissor(gl_, data, rectangle);
+    gl_.Clear(GL_COLOR_BUFFER_BIT);
+  }
+}
+
+void DrawRenderer::draw(const ImDrawData& data, std::span<const PixelRectangle> rectangles, ImVec4 background) {
+  if (rectangles.empty()) return;
+  gl_.Viewport(0, 0, static_cast<GLsizei>(data.DisplaySize.x), static_cast<GLsizei>(data.DisplaySize.y));
   set_state(data);
-  for (int n = 0; n < data.CmdListsCount; ++n) {
-    const ImDrawList& list = *data.CmdLists[n];
-    gl_.BufferData(GL_ARRAY_BUFFER, list.VtxBuffer.size_in_bytes(), list.VtxBuffer.Data, GL_STREAM_DRAW);
-    gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, list.IdxBuffer.size_in_bytes(), list.IdxBuffer.Data, GL_STREAM_DRAW);
-    for (const ImDrawCmd& command : list.CmdBuffer) {
-      const auto x0 = static_cast<GLint>(command.ClipRect.x - data.DisplayPos.x);
-      const auto y0 = static_cast<GLint>(command.ClipRect.y - data.DisplayPos.y);
-      const auto x1 = static_cast<GLint>(command.ClipRect.z - data.DisplayPos.x);
-      const auto y1 = static_cast<GLint>(command.ClipRect.w - data.DisplayPos.y);
-      if (x1 <= x0 || y1 <= y0) continue;
-      gl_.Scissor(x0, height - y1, x1 - x0, y1 - y0);
-      set_picture(*static_cast<const FramePicture*>(command.GetTexID()));
-      gl_.DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), GL_UNSIGNED_SHORT,
-                                 reinterpret_cast<const void*>(  // NOLINT(performance-no-int-to-ptr): GL's offset
-                                     static_cast<std::size_t>(command.IdxOffset) * sizeof(ImDrawIdx)),
-                                 static_cast<GLint>(command.VtxOffset));
+  clear(data, rectangles, background);
+  const DrawPlan plan = plan_drawing(data, rectangles);
+  gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(plan.indices.size() * sizeof(ImDrawIdx)),
+                 plan.indices.data(), GL_STREAM_DRAW);
+  int uploaded = -1;
+  for (const PlannedDraw& draw : plan.draws) {
+    if (draw.list != uploaded) {
+      const ImVector<ImDrawVert>& vertices = data.CmdLists[draw.list]->VtxBuffer;
+      gl_.BufferData(GL_ARRAY_BUFFER, vertices.size_in_bytes(), vertices.Data, GL_STREAM_DRAW);
+      uploaded = draw.list;
     }
+    set_scissor(gl_, data, draw.scissor);
+    set_fill(draw);
+    gl_.DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(draw.index_count), GL_UNSIGNED_SHORT,
+                               reinterpret_cast<const void*>(  // NOLINT(performance-no-int-to-ptr): GL's offset
+                                   draw.first_index * sizeof(ImDrawIdx)),
+                               static_cast<GLint>(draw.vertex_offset));
   }
   gl_.Disable(GL_SCISSOR_TEST);
 }

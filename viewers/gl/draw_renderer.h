@@ -4,8 +4,10 @@
 
 #include <imgui.h>
 #include <memory>
+#include <span>
 
 #include "core/math/result.h"
+#include "viewers/gl/draw_plan.h"
 #include "viewers/gl/frame_pictures.h"
 #include "viewers/gl/gl_functions.h"
 
@@ -22,14 +24,16 @@ class DrawRenderer {
   /// Uploads the font atlas of the current ImGui context; again after it was rebuilt.
   void upload_fonts();
 
-  /// Clears what is bound to `background` and draws the frame over it.
-  void draw(const ImDrawData& data, ImVec4 background);
+  /// Within `rectangles`, which share no pixel: clears what is bound to `background` and draws the frame over it.
+  void draw(const ImDrawData& data, std::span<const PixelRectangle> rectangles, ImVec4 background);
 
  private:
   struct Resources;
   explicit DrawRenderer(const GlFunctions& gl);
   [[nodiscard]] Status build();
   void set_state(const ImDrawData& data);
+  void clear(const ImDrawData& data, std::span<const PixelRectangle> rectangles, ImVec4 background);
+  void set_fill(const PlannedDraw& draw);
   void set_picture(const FramePicture& picture);
 
   const GlFunctions& gl_;

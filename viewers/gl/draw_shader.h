@@ -1,6 +1,7 @@
 #pragma once
-// The shaders of the window: one fragment shader a Shading::Kind, made from one text by a line in front of it that
-// defines KIND. Software OpenGL computes both sides of every branch, so there is none in what draws letters and panels.
+// The shaders of the window: one fragment shader a Shading::Kind and one for plain colours, made from one text by a
+// line in front of it that defines KIND. Software OpenGL computes both sides of every branch, so there is none in what
+// draws letters and panels.
 
 namespace glint::view {
 
@@ -56,6 +57,10 @@ vec3 difference_color(float d) {
 }
 
 void main() {
+#if KIND == 4
+  result = tint;
+}
+#else
   vec4 value = texture(values, at);
 #if KIND == 0
   result = tint * value;
@@ -74,6 +79,7 @@ void main() {
   }
 #endif
 }
+#endif
 )";
 
 }  // namespace glint::view

@@ -22,7 +22,10 @@ void Framebuffer::bind() const {
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
 }
 
-void Framebuffer::release() const {
+void Framebuffer::copy_to_window() const {
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
+  gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  gl_.BlitFramebuffer(0, 0, size_.x, size_.y, 0, 0, size_.x, size_.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 

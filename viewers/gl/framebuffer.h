@@ -18,9 +18,10 @@ class Framebuffer {
   ~Framebuffer();
 
   [[nodiscard]] glm::ivec2 size() const { return size_; }
-  /// Everything drawn from now on goes here; `release` sends it to the window again.
+  /// Everything drawn from now on goes here.
   void bind() const;
-  void release() const;
+  /// Copies all of it to the window, which is drawn to from then on.
+  void copy_to_window() const;
 
  private:
   const GlFunctions& gl_;

@@ -1,5 +1,6 @@
 #include "viewers/gl/texture.h"
 
+#include <atomic>
 #include <utility>
 
 namespace glint::view {
@@ -23,10 +24,15 @@ Layout layout_of(Texture::Format format) {
   return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
 }
 
+std::uint64_t next_serial() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
+
 }  // namespace
 
 Texture::Texture(const GlFunctions& gl, Format format, glm::ivec2 size, const void* texels)
-    : gl_(&gl), format_(format), size_(size) {
+    : gl_(&gl), serial_(next_serial()), format_(format), size_(size) {
   const Layout layout = layout_of(format);
   gl.GenTextures(1, &name_);
   gl.BindTexture(GL_TEXTURE_2D, name_);
@@ -36,13 +42,18 @@ Texture::Texture(const GlFunctions& gl, Format format, glm::ivec2 size, const vo
 }
 
 Texture::Texture(Texture&& other) noexcept
-    : gl_(other.gl_), name_(std::exchange(other.name_, 0)), format_(other.format_), size_(other.size_) {}
+    : gl_(other.gl_),
+      name_(std::exchange(other.name_, 0)),
+      serial_(other.serial_),
+      format_(other.format_),
+      size_(other.size_) {}
 
 Texture& Texture::operator=(Texture&& other) noexcept {
   if (this == &other) return *this;
   release();
   gl_ = other.gl_;
   name_ = std::exchange(other.name_, 0);
+  serial_ = other.serial_;
   format_ = other.format_;
   size_ = other.size_;
   return *this;

@@ -26,6 +26,8 @@ class Texture {
 
   [[nodiscard]] bool empty() const { return name_ == 0; }
   [[nodiscard]] GLuint name() const { return name_; }
+  /// Of these texels, of all textures ever made.
+  [[nodiscard]] std::uint64_t serial() const { return serial_; }
   [[nodiscard]] Format format() const { return format_; }
   [[nodiscard]] glm::ivec2 size() const { return size_; }
 
@@ -34,6 +36,7 @@ class Texture {
 
   const GlFunctions* gl_ = nullptr;
   GLuint name_ = 0;
+  std::uint64_t serial_ = 0;
   Format format_ = Format::rgba8;
   glm::ivec2 size_{0, 0};
 };

@@ -59,8 +59,8 @@ PanelEvents begin_panel(Ui& ui, const PanelHeader& header, const Rectangle& area
   ImGui::SetCursorScreenPos(area.min);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_ChildBorderSize, 0);
-  constexpr ImGuiWindowFlags k_still =
-      ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav;
+  constexpr ImGuiWindowFlags k_still = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse |
+                                       ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBackground;
   ImGui::BeginChild(("##panel " + name).c_str(), area.size(), false, k_still);
   ImGui::PopStyleVar(2);
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -73,7 +73,7 @@ PanelEvents begin_panel(Ui& ui, const PanelHeader& header, const Rectangle& area
   content = {{area.min.x + ui.px(1), area.min.y + ui.px(size::k_panel_header) + 1},
              {area.max.x - ui.px(1), area.max.y - ui.px(1)}};
   ImGui::SetCursorScreenPos(content.min);
-  const ImGuiWindowFlags flags = scrolls ? ImGuiWindowFlags_NoNav : k_still;
+  const ImGuiWindowFlags flags = scrolls ? ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBackground : k_still;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_ChildBorderSize, 0);
   ImGui::BeginChild(("##content " + name).c_str(), content.size(), false, flags);
