@@ -67,6 +67,9 @@ void Panels::draw_pndf(view::Ui& ui, const Layout& layout, Workbench& workbench,
   input.results = jobs.results();
   input.nothing_because = nothing_because(jobs);
   input.cancelled = jobs.cancelled();
+  const JobStatus status = jobs.status();
+  input.computing = status.method;
+  input.progress = status.progress;
   input.flipped = flipped;
   input.flip_chord = "R";
   input.focused = focused_ == Panel::pndf;

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/gui/golden.h"
 #include "tests/viewers/stage.h"
 
 namespace glint::view {
@@ -57,6 +58,8 @@ class PndfViewTest : public testing::Test {
       input.results = results_;
       input.nothing_because = nothing_because_;
       input.cancelled = !nothing_because_.empty();
+      input.computing = computing_;
+      input.progress = 0.4;
       input.flipped = flipped_;
       input.flip_chord = "R";
       events_ = view_->draw(ui, {{10, 10}, {932, 414}}, input);
@@ -124,6 +127,7 @@ class PndfViewTest : public testing::Test {
   std::shared_ptr<PndfResults> results_;
   std::uint64_t revision_ = 1;
   std::string nothing_because_;
+  std::optional<PndfMethod> computing_;
   bool flipped_ = false;
   PndfEvents events_;
   std::vector<Edit> edits_;
@@ -277,6 +281,29 @@ TEST_F(PndfViewTest, KeepsTheLastDifferenceUntilThereIsANewerOne) {
   results_->methods[1].image = lobe_image(32, 5, true);
   frame();
   EXPECT_GT(blue_pixels("pndf.picture.difference"), 100);
+}
+
+TEST_F(PndfViewTest, WhileItWaitsForTheDocumentsPicturesOldFiguresAreGone) {
+  const auto figure_width = [&] { return area("pndf.time.binning").width(); };
+  const float with_figure = figure_width();
+  revision_ = 2;
+  computing_ = PndfMethod::binning;
+  frame();
+  EXPECT_EQ(stage_.widgets().find("pndf.progress.exact"), nullptr);  // not at once: a quick picture does not flicker
+  EXPECT_EQ(figure_width(), with_figure);
+  for (int k = 0; k < 20; ++k) frame();
+  EXPECT_NE(stage_.widgets().find("pndf.progress.exact"), nullptr);
+  EXPECT_NE(stage_.widgets().find("pndf.refining.binning"), nullptr);
+  EXPECT_LT(figure_width(), with_figure);
+  test::Picture picture{stage_.size(), stage_.pixels()};
+  test::cover_what_varies(picture, stage_.widgets());
+  test::expect_golden("busy-pndf-960x440", picture);
+
+  for (MethodPicture& method : results_->methods) method.revision = 2;
+  computing_.reset();
+  frame();
+  EXPECT_EQ(stage_.widgets().find("pndf.progress.exact"), nullptr);
+  EXPECT_EQ(figure_width(), with_figure);
 }
 
 TEST_F(PndfViewTest, OffersToComputeAgainWhatWasCancelled) {

@@ -61,7 +61,8 @@ int most_digits(double value) {
   return size >= 1e3 && size < 1e5 ? static_cast<int>(std::log10(size)) + 2 : 4;
 }
 
-// As many digits as there is room for; three where the others are zero: 0.0200, 12.0.
+// As many digits as there is room for; three where the others are zero: 0.0200, 12.0. Never fewer than three, nor than
+// stand before the point: where there is no room the entry writes smaller, then cuts visibly.
 std::string fitted_number(const Ui& ui, double value, float room) {
   const auto fits = [&](const std::string& text) { return text_size(ui.fonts.numbers, text).x <= room; };
   const double size = std::abs(value);
@@ -70,7 +71,9 @@ std::string fitted_number(const Ui& ui, double value, float room) {
     text = number_text(value, 3);
     if (!fits(text)) text = without_last_zeros(text);
   }
-  for (int digits = most_digits(value); digits > 0 && !fits(text); --digits) text = short_number_text(value, digits);
+  const int least = std::max(3, size >= 1 ? static_cast<int>(std::log10(size)) + 1 : 1);
+  for (int digits = most_digits(value); digits >= least && !fits(text); --digits)
+    text = short_number_text(value, digits);
   return text;
 }
 

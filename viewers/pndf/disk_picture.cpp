@@ -91,6 +91,18 @@ std::vector<double> axis_numbers(double lowest, double highest) {
   return {lowest, highest};
 }
 
+// Of the small disc that shows where the window lies.
+Rectangle inset_area(const Ui& ui, const DiskPlace& place) {
+  const float side = ui.px(34);
+  const float margin = ui.px(5);
+  return {{place.square.max.x - margin - side, place.square.min.y + margin},
+          {place.square.max.x - margin, place.square.min.y + margin + side}};
+}
+
+bool overlap(const Rectangle& a, const Rectangle& b) {
+  return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y;
+}
+
 void draw_rim_labels(const Ui& ui, ImDrawList& list, const DiskPlace& place) {
   const float half = 0.5F * ui.fonts.small->FontSize;
   const auto label = [&](double radius, std::string_view text) {
@@ -104,7 +116,7 @@ void draw_rim_labels(const Ui& ui, ImDrawList& list, const DiskPlace& place) {
       const float margin = ui.px(2);
       const bool fits = area.min.x > place.shown.min.x + margin && area.max.x < place.shown.max.x - margin &&
                         area.min.y > place.shown.min.y + margin && area.max.y < place.shown.max.y - margin;
-      if (!fits) continue;
+      if (!fits || (!place.whole() && overlap(area, inset_area(ui, place)))) continue;
       draw_text_over(ui, list, ui.fonts.small, area.min, color::k_text, text);
       return;
     }
@@ -260,12 +272,9 @@ void draw_crosshair(const Ui& ui, ImDrawList& list, const DiskPlace& place, glm:
 
 void draw_window_inset(const Ui& ui, ImDrawList& list, const DiskPlace& place) {
   if (place.whole()) return;
-  const float side = ui.px(34);
-  const float margin = ui.px(5);
-  const Rectangle area{{place.square.max.x - margin - side, place.square.min.y + margin},
-                       {place.square.max.x - margin, place.square.min.y + margin + side}};
+  const Rectangle area = inset_area(ui, place);
   list.AddRectFilled(area.min, area.max, color::k_chip, ui.px(3));
-  const float radius = 0.5F * side - ui.px(3);
+  const float radius = 0.5F * area.width() - ui.px(3);
   const ImVec2 middle = area.center();
   list.AddCircleFilled(middle, radius, color::k_picture, 0);
   list.AddCircle(middle, radius, rgb(0xFFFFFF, 140), 0, 1);

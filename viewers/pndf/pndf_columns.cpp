@@ -41,7 +41,8 @@ void draw_chips(Ui& ui, ImDrawList& list, const Rectangle& square, const Picture
     corner.y = draw_chip_above(ui, list, corner, fits ? chip.full : chip.brief).min.y - ui.px(2);
   }
   if (state.progress >= 1) return;
-  const std::string text = fmt::format("refining {} %", static_cast<int>(100 * std::max(0.0, state.progress)));
+  const std::string text = fmt::format("{} {} %", state.awaited ? "computing" : "refining",
+                                       static_cast<int>(100 * std::max(0.0, state.progress)));
   const Rectangle area = draw_chip_above(ui, list, corner, text);
   ui.widgets.record(fmt::format("pndf.refining.{}", key), {area, {}, false, true});
 }
@@ -171,9 +172,9 @@ bool draw_method_column(Ui& ui, const PndfLayout& layout, const Rectangle& squar
   const PndfGrid* grid = column.shown != nullptr ? &column.shown->image->grid : nullptr;
   const Texture* texture = column.shown != nullptr ? &column.shown->texture : nullptr;
   const bool restart = draw_picture(ui, square, scene, grid, texture, scene.density.shading(false), column.state, key);
-  const std::array figures = {
-      time_figure(column.method, column.picture), error_figure(column.method, column.picture, column.surface),
-      density_figure(column.method, column.picture, scene.cursor), noise_figure(column.method, column.picture)};
+  const MethodPicture* valid = column.state.awaited ? nullptr : column.picture;
+  const std::array figures = {time_figure(column.method, valid), error_figure(column.method, valid, column.surface),
+                              density_figure(column.method, valid, scene.cursor), noise_figure(column.method, valid)};
   draw_read_outs(ui, layout, square, figures);
   return restart;
 }

@@ -32,6 +32,7 @@ struct Chip {
 struct PictureState {
   bool first = false;           ///< the one whose rings and axes are labelled
   bool dimmed = false;          ///< older than the document
+  bool awaited = false;         ///< and one of the document's is being computed: old figures say nothing
   bool focused = false;         ///< by the keyboard
   double progress = 1;          ///< of a better one under way
   std::vector<Chip> chips;      ///< from the bottom

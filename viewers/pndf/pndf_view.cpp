@@ -229,6 +229,10 @@ MethodColumn PndfView::State::method_column(Ui& ui, const PndfInput& input, cons
     column.shown = &pictures.shown(ui.gl, column.picture->image);
     column.state.progress = column.picture->progress;
     column.state.dimmed = dimmed(ui, method_name(method), column.picture->revision < input.revision);
+    if (column.state.dimmed && input.computing) {
+      column.state.awaited = true;
+      column.state.progress = method == input.computing ? input.progress : 0;
+    }
     if (column.picture->coarse) {
       const std::string& note = column.picture->coarse_note;
       column.state.chips.push_back({"coarse: " + note, "coarse: " + note.substr(0, note.find(','))});

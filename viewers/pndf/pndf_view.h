@@ -19,10 +19,12 @@ struct PndfInput {
   std::uint64_t revision = 0;                       ///< of the document
   std::shared_ptr<const PndfResults> results = {};  ///< null before the first
   std::string nothing_because =
-      {};                       ///< why there is no picture and none is coming ("cancelled", "no map"); empty: one is
-  bool cancelled = false;       ///< that reason is a person's: a button offers to compute again
-  bool flipped = false;         ///< the key that shows the reference everywhere is held
-  std::string flip_chord = {};  ///< its name, for the hint: "R"
+      {};                  ///< why there is no picture and none is coming ("cancelled", "no map"); empty: one is
+  bool cancelled = false;  ///< that reason is a person's: a button offers to compute again
+  std::optional<PndfMethod> computing = {};  ///< whose picture is being computed
+  double progress = 0;                       ///< of that
+  bool flipped = false;                      ///< the key that shows the reference everywhere is held
+  std::string flip_chord = {};               ///< its name, for the hint: "R"
   bool focused = false;
   bool maximised = false;
 };

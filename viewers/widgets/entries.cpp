@@ -92,20 +92,27 @@ std::optional<std::string> entry(Ui& ui, std::string_view name, const Rectangle&
     list.AddRect(area.min, area.max, press.focused ? color::k_accent : color::k_border, rounding);
   }
   const ImU32 ink = press.enabled ? color::k_text : color::k_disabled;
-  const float top = area.min.y + 0.5F * (area.height() - ui.fonts.numbers->FontSize);
-  float right = area.max.x - ui.px(7);
+  float padding = ui.px(7);
+  const float unit_width = unit.empty() ? 0 : text_size(ui.fonts.small, unit).x + ui.px(4);
+  const ImFont* font = ui.fonts.numbers;
+  if (text_size(font, value).x > area.width() - unit_width - 2 * padding) {
+    font = ui.fonts.small_numbers;
+    padding = ui.px(4);
+  }
+  const float top = area.min.y + 0.5F * (area.height() - font->FontSize);
+  float right = area.max.x - padding;
   if (!unit.empty()) {
     const float small_top = area.min.y + 0.5F * (area.height() - ui.fonts.small->FontSize);
     draw_text_right(list, ui.fonts.small, {right, small_top}, press.enabled ? color::k_text_2 : color::k_disabled,
                     unit);
-    right -= text_size(ui.fonts.small, unit).x + ui.px(4);
+    right -= unit_width;
   }
-  const float room = right - area.min.x - ui.px(7);
-  const std::string shown = fitted_text(ui.fonts.numbers, value, room);
+  const float room = right - area.min.x - padding;
+  const std::string shown = fitted_text(font, value, room);
   if (left_aligned) {
-    draw_text(list, ui.fonts.numbers, {area.min.x + ui.px(7), top}, ink, shown);
+    draw_text(list, font, {area.min.x + padding, top}, ink, shown);
   } else {
-    draw_text_right(list, ui.fonts.numbers, {right, top}, ink, shown);
+    draw_text_right(list, font, {right, top}, ink, shown);
   }
   if (press.pressed) begin_editing(ui, name, edited.empty() ? value : edited);
   return std::nullopt;
