@@ -219,9 +219,10 @@ class ScriptRunnerTest : public ::testing::Test {
     const bool left = io_.MouseDown[0];
     const bool right = io_.MouseDown[1];
     target_.queue.feed(io_);
-    const auto place =
-        std::to_string(static_cast<int>(io_.MousePos.x)) + "," + std::to_string(static_cast<int>(io_.MousePos.y));
-    if (before.x != io_.MousePos.x || before.y != io_.MousePos.y) target_.log("move " + place);
+    if (before.x != io_.MousePos.x || before.y != io_.MousePos.y) {
+      target_.log("move " + std::to_string(static_cast<int>(io_.MousePos.x)) + "," +
+                  std::to_string(static_cast<int>(io_.MousePos.y)));
+    }
     if (left != io_.MouseDown[0]) target_.log(left ? "left up" : "left down");
     if (right != io_.MouseDown[1]) target_.log(right ? "right up" : "right down");
     if (io_.MouseWheel != 0) target_.log("wheel " + std::to_string(static_cast<int>(io_.MouseWheel)));
