@@ -29,6 +29,12 @@ struct ChoiceNames<PndfMethod> {
 };
 
 template <>
+struct ChoiceNames<ExactPrecision> {
+  static constexpr std::array k_table{std::pair{ExactPrecision::single_precision, std::string_view("float")},
+                                      std::pair{ExactPrecision::double_precision, std::string_view("double")}};
+};
+
+template <>
 struct ChoiceNames<ValueRange> {
   static constexpr std::array k_table{std::pair{ValueRange::automatic, std::string_view("auto")},
                                       std::pair{ValueRange::signed_values, std::string_view("signed")},

@@ -18,6 +18,9 @@ bool has_method(const Document& document, PndfMethod method) {
 bool of_binning(const Document& document) {
   return has_method(document, PndfMethod::binning);
 }
+bool of_exact(const Document& document) {
+  return has_method(document, PndfMethod::exact);
+}
 // Only the smooth surface has 32 triangles; whether `auto` becomes smooth is for the map to tell.
 bool of_exact_on_smooth(const Document& document) {
   return has_method(document, PndfMethod::exact) &&
@@ -83,6 +86,15 @@ constexpr std::array k_parameters{
               .source = "this tool: exact evaluation",
               .access = at<[](auto& d) -> auto& { return d.exact_vertex_shift; }>(),
               .matters = of_exact_on_smooth},
+    Parameter{.path = "exact.precision",
+              .label = "precision of exact evaluation",
+              .short_label = "Precision",
+              .kind = ParameterKind::choice,
+              .choices = k_choice_names<ExactPrecision>,
+              .help = "What exact evaluation computes in: float is a hundred times faster and within 1e-4 of double.",
+              .source = "this tool: exact evaluation",
+              .access = at<[](auto& d) -> auto& { return d.exact_precision; }>(),
+              .matters = of_exact},
     Parameter{.path = "binning.samples",
               .label = "binning samples",
               .short_label = "Samples",

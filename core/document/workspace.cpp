@@ -26,6 +26,7 @@ Surface surface_over(NormalMap map, std::optional<Interpolation> interpolation) 
 ModelSettings settings_of(const Document& document) {
   ModelSettings settings;
   settings.exact.vertex_shift = document.exact_vertex_shift;
+  settings.precision = document.exact_precision;
   settings.binned = {document.binning_samples, document.seed, document.grid.size};
   return settings;
 }
@@ -65,6 +66,7 @@ std::unique_ptr<PndfModel> make_coarse_model(const Document& document, PndfMetho
   ModelSettings settings = settings_of(document);
   // No vertex shift: on cells of a whole texel its bound is so wide that hardly any cell is left out.
   settings.exact = {.subdivision = 1, .vertex_shift = false, .image_cut = k_coarse_cut};
+  settings.precision = ExactPrecision::single_precision;
   settings.binned.samples = std::min(settings.binned.samples, k_coarse_samples);
   return make_model(method, surface, document.intrinsic_roughness, settings);
 }

@@ -49,7 +49,7 @@ void for_tiles(const SurfaceCells::Axis& axis, std::int64_t lo, std::int64_t hi,
 
 }  // namespace cell_visit_detail
 
-/// Calls visit(CellIndex, OffsetBox) for each cell that can hold a point with
+/// Calls visit(CellIndex, OffsetBox, NormalBox) for each cell that can hold a point with
 /// d_u^2 + d_s^2 < cut^2, where d_u is the distance from the footprint's centre in its deviations and d_s^2 at least
 /// squared_s(NormalBox). `center` is the footprint's centre in texels.
 template <class SquaredDistance, class Visit>
@@ -80,7 +80,8 @@ void visit_cells(const SurfaceCells& cells, const FootprintWindow& window, glm::
                   const OffsetBox box{cells.column_span(i, center.x, reach_u), cells.row_span(j, center.y, reach_v)};
                   const double squared_u = window.squared_distance(box);
                   if (squared_u >= limit) continue;
-                  if (squared_u + squared_s(cells.cell_box({i, j})) < limit) visit(CellIndex{i, j}, box);
+                  const NormalBox normals = cells.cell_box({i, j});
+                  if (squared_u + squared_s(normals) < limit) visit(CellIndex{i, j}, box, normals);
                 }
               }
             });

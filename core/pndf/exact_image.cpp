@@ -163,7 +163,7 @@ class ExactImage {
     }
     visit_cells(
         cells_, window_, footprint_.center, cut_, share, [&](const NormalBox& box) { return squared_gap(box, band); },
-        [&](CellIndex cell, const OffsetBox& box) {
+        [&](CellIndex cell, const OffsetBox& box, const NormalBox&) {
           if (control.cancelled()) return;
           cells_.vertices(cell, box, vertices);
           if (splat_flat(vertices, out)) return;

@@ -83,7 +83,7 @@ class ExactFootprint final : public FootprintPndf {
     visit_cells(
         model_.cells(), window_, footprint_.center, cut, {},
         [&](const NormalBox& box) { return box.squared_distance(s, roughness); },
-        [&](CellIndex cell, const OffsetBox& box) {
+        [&](CellIndex cell, const OffsetBox& box, const NormalBox&) {
           model_.cells().vertices(cell, box, vertices);
           double cell_sum = 0;
           vertices.for_each_triangle([&](const SurfaceTriangle& triangle) {

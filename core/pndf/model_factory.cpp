@@ -6,6 +6,9 @@ std::unique_ptr<PndfModel> make_model(PndfMethod method, const Surface& surface,
                                       const ModelSettings& settings) {
   switch (method) {
     case PndfMethod::exact:
+      if (settings.precision == ExactPrecision::single_precision) {
+        return std::make_unique<FastExactPndf>(surface, intrinsic_roughness, settings.exact);
+      }
       return std::make_unique<ExactPndf>(surface, intrinsic_roughness, settings.exact);
     case PndfMethod::binning:
       return std::make_unique<BinnedPndf>(surface, intrinsic_roughness, settings.binned);

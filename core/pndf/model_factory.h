@@ -5,15 +5,20 @@
 
 #include "core/pndf/binned_pndf.h"
 #include "core/pndf/exact_pndf.h"
+#include "core/pndf/fast_exact_pndf.h"
 #include "core/pndf/pndf_model.h"
 
 namespace glint {
 
 enum class PndfMethod { exact, binning };
 
+/// What exact evaluation computes in: FastExactPndf or ExactPndf.
+enum class ExactPrecision { single_precision, double_precision };
+
 /// Everything any method asks for beyond the surface and sigma_r.
 struct ModelSettings {
   ExactSettings exact;
+  ExactPrecision precision = ExactPrecision::single_precision;
   BinnedSettings binned;
 };
 

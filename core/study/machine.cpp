@@ -17,16 +17,4 @@ std::string machine_name() {
   return "unknown processor, " + cores;
 }
 
-std::string instruction_set() {
-#if defined(__AVX512F__)
-  return "avx512";
-#elif defined(__AVX2__)
-  return "avx2";
-#elif defined(__SSE4_2__)
-  return "sse4";
-#else
-  return "scalar";
-#endif
-}
-
 }  // namespace glint

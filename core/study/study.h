@@ -52,7 +52,5 @@ Result<std::vector<StudyResult>> run_study(const Document& document, const Surfa
 
 /// The processor's name and its core count, for reports: a time always names its machine.
 std::string machine_name();
-/// What the kernels of this build were compiled for: avx512, avx2, sse4 or scalar.
-std::string instruction_set();
 
 }  // namespace glint

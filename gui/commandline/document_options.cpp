@@ -13,6 +13,7 @@
 #include "core/document/preset.h"
 #include "core/document/value_words.h"
 #include "core/image/atomic_file.h"
+#include "core/math/instruction_set.h"
 #include "gui/commandline/console.h"
 
 namespace glint::gui {
@@ -143,6 +144,7 @@ DocumentOptions::DocumentOptions(CLI::App& app) {
                                             Binding{"--method", "methods"},
                                             Binding{"--surface", "surface.interpolation"},
                                             Binding{"--vertex-shift", "exact.vertex_shift"},
+                                            Binding{"--precision", "exact.precision"},
                                             Binding{"--samples", "binning.samples"},
                                             Binding{"--size", "grid.size"},
                                             Binding{"--window", "grid.window"},
@@ -157,6 +159,8 @@ DocumentOptions::DocumentOptions(CLI::App& app) {
   add_words_option(app, radius_, "--radius", "R", "The deviation of the --pixel footprint in texels. Default: 5.");
   radius_.option->needs(pixel_.option);
   add_words_option(app, threads_, "--threads", "N", "Threads to use. Default: all.");
+  add_words_option(app, isa_, "--isa", "auto|avx512|avx2|sse4|scalar",
+                   "The vector instructions to use. Default: auto, the widest that the processor has.");
   app.add_flag("--quiet", quiet_, "No messages and no progress; errors are still printed.");
   app.add_flag("--json", json_, "Print the results as one JSON object.");
 }
@@ -268,6 +272,24 @@ Result<std::optional<int>> DocumentOptions::threads() const {
   return count;
 }
 
+Status DocumentOptions::apply_instruction_set() const {
+  if (!isa_.given() || isa_.words == "auto") return success();
+  std::string supported = "auto";
+  for (const InstructionSet set : supported_instruction_sets()) {
+    if (instruction_set_name(set) == isa_.words) {
+      force_instruction_set(set);
+      return success();
+    }
+    supported += fmt::format(", {}", instruction_set_name(set));
+  }
+  return wrong_words("--isa", isa_.words, "something this processor has: " + supported);
+}
+
+bool DocumentOptions::gives(std::string_view flag) const {
+  return std::any_of(fields_.begin(), fields_.end(),
+                     [&](const auto& field) { return field->flag == flag && field->given(); });
+}
+
 Result<LoadedSurface> prepare_surface(const DocumentOptions& options, Document& document, JobControl& control) {
   Result<LoadedSurface> loaded = content_error("", "");
   {
@@ -313,3 +335,4 @@ std::filesystem::path executable_path() {
 }
 
 }  // namespace glint::gui
+#include "core/math/instruction_set.h"

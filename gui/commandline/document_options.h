@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -67,6 +68,10 @@ class DocumentOptions {
   [[nodiscard]] Error with_flag(Error error) const;
   /// --threads, checked; nothing if it was not given.
   [[nodiscard]] Result<std::optional<int>> threads() const;
+  /// Makes the kernels use what --isa says.
+  [[nodiscard]] Status apply_instruction_set() const;
+  /// Whether the option of a field was given.
+  [[nodiscard]] bool gives(std::string_view flag) const;
 
  private:
   Status apply_source(Document& document) const;
@@ -81,6 +86,7 @@ class DocumentOptions {
   WordsOption footprint_;
   WordsOption triangles_;
   WordsOption threads_;
+  WordsOption isa_;
   bool quiet_ = false;
   bool json_ = false;
   std::vector<std::unique_ptr<FieldOption>> fields_;

@@ -62,6 +62,11 @@ class PndfCommand final : public Command {
     if (!document) return document.error();
     const Result<std::optional<int>> threads = options_.threads();
     if (!threads) return threads.error();
+    if (Status chosen = options_.apply_instruction_set(); !chosen) return chosen;
+    // Single normals are asked by those who want every digit.
+    if (queries_.given() && !options_.gives("--precision")) {
+      document->exact_precision = ExactPrecision::double_precision;
+    }
     std::optional<ThreadLimit> limit;
     if (*threads) limit.emplace(**threads);
     if (output_.given()) {

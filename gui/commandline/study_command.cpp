@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/document/names.h"
+#include "core/math/instruction_set.h"
 #include "core/study/study.h"
 #include "gui/commandline/command.h"
 #include "gui/commandline/console.h"
@@ -29,7 +30,7 @@ Json settings_json(const Document& document, const StudyResult& result) {
     case PndfMethod::exact:
       break;
   }
-  Json settings = {{"precision", "double"}};
+  Json settings = {{"precision", choice_name(document.exact_precision)}, {"vertex_shift", document.exact_vertex_shift}};
   if (result.surface == Interpolation::linear) settings["triangles"] = 2;
   if (result.surface == Interpolation::smooth) settings["triangles"] = 32;
   return settings;
@@ -100,6 +101,7 @@ class StudyCommand final : public Command {
     const Result<std::optional<int>> threads = options_.threads();
     if (!threads) return threads.error();
     settings.threads = *threads;
+    if (const Status chosen = options_.apply_instruction_set(); !chosen) return chosen.error();
     if (repeat_.given()) {
       const char* end = repeat_.words.data() + repeat_.words.size();
       const auto [stop, fault] = std::from_chars(repeat_.words.data(), end, settings.repeats);
@@ -129,7 +131,7 @@ class StudyCommand final : public Command {
 
   static void print_json(const Document& document, const std::vector<StudyResult>& results, int threads) {
     Json object = {{"machine", machine_name()},
-                   {"isa", instruction_set()},
+                   {"isa", instruction_set_name(instruction_set())},
                    {"threads", threads},
                    {"map", map_name(document)},
                    {"sigma_r", document.intrinsic_roughness},
@@ -140,7 +142,7 @@ class StudyCommand final : public Command {
   }
 
   static void print_table(const std::vector<StudyResult>& results, int threads) {
-    print_result("{}, {} used, {}\n", machine_name(), threads, instruction_set());
+    print_result("{}, {} used, {}\n", machine_name(), threads, instruction_set_name(instruction_set()));
     print_result("{:<10} {:<9} {:>9} {:>10} {:>11} {:>11} {:>11} {:>11} {:>11} {:>11}\n", "method", "surface",
                  "build ms", "image ms", "query us", "uniform us", "relative L1", "peak error", "energy err",
                  "own noise");

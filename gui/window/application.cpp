@@ -9,6 +9,7 @@
 
 #include "core/document/names.h"
 #include "core/document/preset.h"
+#include "core/math/instruction_set.h"
 #include "core/study/study.h"
 #include "gui/input/keyboard.h"
 #include "gui/window/menu_bar.h"
@@ -23,7 +24,7 @@ using Clock = std::chrono::steady_clock;
 
 // "avx512" as people write it.
 std::string instruction_set_title() {
-  const std::string name = instruction_set();
+  const std::string name(instruction_set_name(instruction_set()));
   return name == "avx512" ? "AVX-512" : name == "avx2" ? "AVX2" : name == "sse4" ? "SSE4" : name;
 }
 

@@ -106,11 +106,13 @@ TEST(PndfCommand, QueriesOutsideTheDiskAreAnsweredAndCounted) {
             "");
 }
 
-TEST(PndfCommand, ImageHoldsTheFlatOraclesGaussian) {
+// The error in units of the peak, of images in that precision.
+void expect_flat_oracle_image(const std::string& precision, double error) {
   const TemporaryFolder folder;
   const std::string out = folder / "d.exr";
-  const ProgramRun run = run_glintscope({"pndf", "--preset", "flat-oracle", "--sigma-r", "0.05", "--method",
-                                         "exact,binning", "--size", "40", "--window", "-0.2,0.2,-0.1,0.3", "-o", out});
+  const ProgramRun run =
+      run_glintscope({"pndf", "--preset", "flat-oracle", "--sigma-r", "0.05", "--method", "exact,binning", "--size",
+                      "40", "--window", "-0.2,0.2,-0.1,0.3", "--precision", precision, "-o", out});
   ASSERT_EQ(run.status, 0) << run.err;
   const auto input = OIIO::ImageInput::open(out);
   ASSERT_TRUE(input);
@@ -127,8 +129,36 @@ TEST(PndfCommand, ImageHoldsTheFlatOraclesGaussian) {
     const double s = -0.2 + (column + 0.5) * 0.01;
     const double t = 0.3 - (row + 0.5) * 0.01;
     const float stored = pixels[static_cast<std::size_t>((row * 40 + column) * 3 + exact)];
-    EXPECT_NEAR(stored / gaussian(s, t, 0.05), 1, 1e-5) << row << " " << column;
+    EXPECT_NEAR(stored / gaussian(0, 0, 0.05), gaussian(s, t, 0.05) / gaussian(0, 0, 0.05), error)
+        << precision << " " << row << " " << column;
   }
+}
+
+TEST(PndfCommand, ImageHoldsTheFlatOraclesGaussianInBothPrecisions) {
+  expect_flat_oracle_image("double", 1e-6);
+  expect_flat_oracle_image("float", 1e-4);
+}
+
+TEST(PndfCommand, QueriesAreInDoublePrecisionUnlessAskedOtherwise) {
+  const std::vector<std::string> words = {"pndf", "--preset", "flat-oracle", "--quiet", "--queries", "-"};
+  std::vector<std::string> in_double = words;
+  in_double.insert(in_double.end(), {"--precision", "double"});
+  EXPECT_EQ(run_glintscope(words, {"0.01 0\n", {}, 0}).out, run_glintscope(in_double, {"0.01 0\n", {}, 0}).out);
+}
+
+TEST(PndfCommand, TheInstructionSetCanBeForcedAndAnUnknownOneIsNamed) {
+  const std::vector<std::string> words = {"study", "--preset", "flat-oracle", "--method",
+                                          "exact", "--size",   "16",          "--json"};
+  std::vector<std::string> scalar = words;
+  scalar.insert(scalar.end(), {"--isa", "scalar"});
+  const ProgramRun run = run_glintscope(scalar);
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(Json::parse(run.out)["isa"], "scalar");
+  std::vector<std::string> unknown = words;
+  unknown.insert(unknown.end(), {"--isa", "neon"});
+  const ProgramRun refused = run_glintscope(unknown);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.err, HasSubstr("glintscope: --isa: 'neon' is not something this processor has: auto, scalar"));
 }
 
 TEST(PndfCommand, EqualInputsGiveEqualBytesForAnyNumberOfThreads) {
@@ -266,7 +296,8 @@ TEST(StudyCommand, JsonHasTheDocumentedKeys) {
     EXPECT_EQ(result["image_size"], 32);
     EXPECT_EQ(result["error_kind"], "measured");
   }
-  EXPECT_LT(json["results"][0]["relative_l1"].get<double>(), 1e-6);
+  EXPECT_EQ(json["results"][0]["settings"]["precision"], "float");
+  EXPECT_LT(json["results"][0]["relative_l1"].get<double>(), 1e-4);
   EXPECT_EQ(json["results"][1]["settings"]["samples"], 2000);
 }
 

@@ -60,9 +60,11 @@ std::string setting_text(const PndfInput& input, PndfMethod method, bool compact
     return count_text(input.document.binning_samples) + (compact ? "" : " samples");
   }
   const std::string surface = surface_name(input.results.get());
-  if (surface == "linear") return "2 triangles";
-  if (surface == "constant") return "constant";
-  return input.document.exact_vertex_shift ? "32 triangles, shifted" : "32 triangles";
+  const bool in_double = input.document.exact_precision == ExactPrecision::double_precision;
+  const std::string more = in_double && !compact ? ", double" : "";
+  if (surface == "linear") return "2 triangles" + more;
+  if (surface == "constant") return "constant" + more;
+  return (input.document.exact_vertex_shift ? "32 triangles, shifted" : "32 triangles") + more;
 }
 
 // Minuend and subtrahend of the difference: a method less exact, else the second less the first.

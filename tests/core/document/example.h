@@ -41,6 +41,7 @@ inline const std::map<std::string, ParameterValue, std::less<>>& other_values() 
       {"intrinsic_roughness", 0.0123456789012345678},
       {"methods", Texts{"binning", "exact"}},
       {"exact.vertex_shift", true},
+      {"exact.precision", "double"},
       {"binning.samples", std::uint64_t{9'999'999'999}},
       {"grid.size", std::uint64_t{16384}},
       {"grid.window", Numbers{-1, -0.1, 0.30000000000000004, 1.5}},

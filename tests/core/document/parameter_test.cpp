@@ -43,8 +43,8 @@ TEST(Parameters, AreTheFieldsThatTheDesignNames) {
                   "surface.generator.half_width", "surface.generator.flank_slope", "surface.generator.direction",
                   "surface.generator.spread", "surface.generator.blur", "surface.generator.dent_rms_slope",
                   "footprint.center", "footprint.covariance", "intrinsic_roughness", "methods", "exact.vertex_shift",
-                  "binning.samples", "grid.size", "grid.window", "seed", "view.density_scale", "view.density_range",
-                  "view.difference_range", "view.map_colors"));
+                  "exact.precision", "binning.samples", "grid.size", "grid.window", "seed", "view.density_scale",
+                  "view.density_range", "view.difference_range", "view.map_colors"));
 }
 
 TEST(Parameters, HaveUniquePathsAndSayWhatTheyDoAndWhoDefinedThem) {

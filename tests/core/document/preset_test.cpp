@@ -125,7 +125,8 @@ TEST(Preset, IsWrittenReadablyInAFixedOrder) {
   "intrinsic_roughness": 0.02,
   "methods": ["exact"],
   "exact": {
-    "vertex_shift": false
+    "vertex_shift": false,
+    "precision": "float"
   },
   "grid": {
     "size": 256,
@@ -145,7 +146,7 @@ TEST(Recipe, HoldsOnlyWhatDeterminesPixels) {
             R"({"glintscope":"preset","version":1,"surface":{"source":"noise","wrap":"repeat","interpolation":"auto",)"
             R"("generator":{"size":1024,"seed":7,"spectrum":"band","rms_slope":0.15,"wavelengths":[8,32]}},)"
             R"("footprint":{"center":[512,512],"covariance":[25,0,25]},"intrinsic_roughness":0.02,"methods":["exact"],)"
-            R"("exact":{"vertex_shift":false},"grid":{"size":256,"window":"fit"}})");
+            R"("exact":{"vertex_shift":false,"precision":"float"},"grid":{"size":256,"window":"fit"}})");
 }
 
 TEST(Recipe, LeavesOutHowPicturesLookAndAPresetKeepsIt) {
@@ -165,7 +166,7 @@ TEST(Recipe, LeavesOutHowPicturesLookAndAPresetKeepsIt) {
 TEST(Recipe, HoldsTheVertexShiftWhereSomethingIsShifted) {
   Document document;
   document.exact_vertex_shift = true;
-  EXPECT_THAT(recipe_of(document), HasSubstr(R"("exact":{"vertex_shift":true})"));
+  EXPECT_THAT(recipe_of(document), HasSubstr(R"("exact":{"vertex_shift":true,"precision":"float"})"));
   EXPECT_TRUE(*document_from_recipe(recipe_of(document), "recipe") == document);
   document.surface.interpolation = Interpolation::linear;
   EXPECT_THAT(recipe_of(document), Not(HasSubstr("vertex_shift")));
@@ -193,7 +194,7 @@ TEST(Recipe, KeepsEveryFieldThatMatters) {
       }
     }
   }
-  EXPECT_EQ(kept, 6U * 11U + 2U * 4U + 4U * 2U + 2U * 3U + 2U * 8U);  // always, file, any generator, noise, scratches
+  EXPECT_EQ(kept, 6U * 12U + 2U * 4U + 4U * 2U + 2U * 3U + 2U * 8U);  // always, file, any generator, noise, scratches
 }
 
 TEST(Recipe, EqualDocumentsGiveEqualBytes) {

@@ -155,7 +155,7 @@ TEST(VisitCells, VisitsEachCellWithinTheCutOnceOverAllShares) {
         for (std::int64_t share = 0; share < 3; ++share) {
           visit_cells(
               cells, window, footprint.center, cut, {share, 3}, [](const NormalBox&) { return 0.0; },
-              [&](CellIndex cell, const OffsetBox&) {
+              [&](CellIndex cell, const OffsetBox&, const NormalBox&) {
                 visited.insert({cell.i, cell.j});
               });
         }

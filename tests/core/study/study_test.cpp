@@ -125,10 +125,8 @@ TEST(Study, CancelledSaysSo) {
   EXPECT_EQ(results.error().sentence, "cancelled");
 }
 
-TEST(Study, NamesTheMachineAndTheInstructionSet) {
+TEST(Study, NamesTheMachine) {
   EXPECT_FALSE(machine_name().empty());
-  EXPECT_TRUE(instruction_set() == "scalar" || instruction_set() == "sse4" || instruction_set() == "avx2" ||
-              instruction_set() == "avx512");
 }
 
 }  // namespace

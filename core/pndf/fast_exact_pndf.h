@@ -1,0 +1,30 @@
+#pragma once
+// The exact P-NDF (Yan et al. 2014, section 4) in single precision with vector instructions: the default way to look.
+// ExactPndf is the double-precision reference that it is held against.
+
+#include <memory>
+
+#include "core/pndf/exact_pndf.h"
+
+namespace glint {
+
+/// Images cut jointly at d_u^2 + d_s^2 < R^2, R = 5 by default, which loses at most exp(-R^2 / 2) (1 + R^2 / 2) =
+/// 5e-5 of the mass; measured, they are within 1e-4 (relative L1) of ExactPndf on the same surface. Triangles too
+/// long for single precision, folded footprints and single normals are evaluated by ExactPndf.
+class FastExactPndf final : public PndfModel {
+ public:
+  static constexpr double k_image_cut = 5;
+
+  /// `intrinsic_roughness` is sigma_r in (0, 1]. Images cut at k_image_cut, or at settings.image_cut if that is less.
+  FastExactPndf(Surface surface, double intrinsic_roughness, const ExactSettings& settings = {});
+
+  [[nodiscard]] PndfModelInfo info() const override;
+  FootprintPndf& at(const Footprint& footprint, PndfWorkspace& workspace) const override;
+  [[nodiscard]] std::optional<PndfImage> image(const Footprint& footprint, const PndfGrid& grid,
+                                               JobControl& control) const override;
+
+ private:
+  ExactPndf exact_;
+};
+
+}  // namespace glint

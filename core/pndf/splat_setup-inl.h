@@ -1,0 +1,256 @@
+// Of one triangle: its whitened form, its rays, and the cells of the image in its reach. Built once for each of
+// Highway's targets, inside triangle_splat.cpp and nowhere else.
+
+#if defined(GLINT_SPLAT_SETUP_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_SPLAT_SETUP_INL_H_
+#undef GLINT_SPLAT_SETUP_INL_H_
+#else
+#define GLINT_SPLAT_SETUP_INL_H_
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include <hwy/highway.h>
+
+#include "core/pndf/splat_triangle.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// exp(-x^2 / 2) = 2^(-(k_unit x)^2)
+constexpr float k_unit = 0.84932180F;
+
+using Floats = hn::ScalableTag<float>;
+using V = hn::Vec<Floats>;
+constexpr int k_lanes = static_cast<int>(hn::MaxLanes(Floats()));
+
+// Of the rays across the shortest edge; with two more they are good to 1e-5 of the triangle's scale.
+constexpr float k_nodes_per_deviation = 1.1F;
+
+constexpr float k_half_log2e = 0.72134752F;
+
+// The QR factorisation, shared by all cells. x, y: of the right angle and of the ends of the legs du and dv, in cells
+// of the image; (ox, oy) is the right angle's offset.
+SplatTriangle factorise(const SplatFrame& frame, float ox, float oy, float du, float dv, const std::array<float, 3>& x,
+                        const std::array<float, 3>& y) {
+  const float kx = frame.kx;
+  const float ky = frame.ky;
+  const float a0 = frame.w11 * du;
+  const float a2 = (x[1] - x[0]) * kx;
+  const float a3 = (y[1] - y[0]) * ky;
+  const float b0 = frame.w12 * dv;
+  const float b1 = frame.w22 * dv;
+  const float b2 = (x[2] - x[0]) * kx;
+  const float b3 = (y[2] - y[0]) * ky;
+  SplatTriangle t{};
+  t.r11 = std::sqrt(a0 * a0 + a2 * a2 + a3 * a3);
+  const float i1 = 1 / t.r11;
+  const float q0 = a0 * i1;
+  const float q2 = a2 * i1;
+  const float q3 = a3 * i1;
+  t.r12 = q0 * b0 + q2 * b2 + q3 * b3;
+  float p0 = b0 - t.r12 * q0;
+  float p1 = b1;
+  float p2 = b2 - t.r12 * q2;
+  float p3 = b3 - t.r12 * q3;
+  const float again = q0 * p0 + q2 * p2 + q3 * p3;  // a second pass keeps the columns orthogonal in single precision
+  p0 -= again * q0;
+  p2 -= again * q2;
+  p3 -= again * q3;
+  t.r12 += again;
+  t.r22 = std::sqrt(p0 * p0 + p1 * p1 + p2 * p2 + p3 * p3);
+  const float i2 = 1 / t.r22;
+  p0 *= i2;
+  p1 *= i2;
+  p2 *= i2;
+  p3 *= i2;
+
+  const float f0 = frame.w11 * ox + frame.w12 * oy;
+  const float f1 = frame.w22 * oy;
+  const float f2 = x[0] * kx;
+  const float f3 = y[0] * ky;
+  t.wx0 = q0 * f0 + q2 * f2 + q3 * f3;
+  t.wxx = -kx * q2;
+  t.wxy = -ky * q3;
+  t.wy0 = p0 * f0 + p1 * f1 + p2 * f2 + p3 * f3;
+  t.wyx = -kx * p2;
+  t.wyy = -ky * p3;
+
+  // The residual is affine in the cell, its square quadratic.
+  const std::array<float, 4> r{f0 - q0 * t.wx0 - p0 * t.wy0, f1 - p1 * t.wy0, f2 - q2 * t.wx0 - p2 * t.wy0,
+                               f3 - q3 * t.wx0 - p3 * t.wy0};
+  const std::array<float, 4> gx{-q0 * t.wxx - p0 * t.wyx, -p1 * t.wyx, -kx - q2 * t.wxx - p2 * t.wyx,
+                                -q3 * t.wxx - p3 * t.wyx};
+  const std::array<float, 4> gy{-q0 * t.wxy - p0 * t.wyy, -p1 * t.wyy, -q2 * t.wxy - p2 * t.wyy,
+                                -ky - q3 * t.wxy - p3 * t.wyy};
+  const auto dot = [](const std::array<float, 4>& a, const std::array<float, 4>& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+  };
+  t.e0 = -k_half_log2e * dot(r, r);
+  t.ex = -2 * k_half_log2e * dot(r, gx);
+  t.ey = -2 * k_half_log2e * dot(r, gy);
+  t.exx = -k_half_log2e * dot(gx, gx);
+  t.exy = -2 * k_half_log2e * dot(gx, gy);
+  t.eyy = -k_half_log2e * dot(gy, gy);
+  t.factor = std::abs(du * dv) * frame.scale;
+  return t;
+}
+
+// Rays from the vertex opposite the shortest edge; the apex is (x0 + wxx x + wxy y, …) for each cell.
+struct Rays {
+  int count;
+  float apex_x;
+  float apex_y;
+};
+
+Rays make_rays(const SplatTriangle& t, const SplatEdges& edges, SplatScratch::Arrays& out) {
+  const Floats d;
+  float ax = 0;
+  float ay = 0;
+  float bx = 0;
+  float by = 0;
+  Rays rays{0, t.wx0, t.wy0};
+  float squared = 0;
+  if (edges.between <= edges.to_du && edges.between <= edges.to_dv) {
+    squared = edges.between;
+    ax = t.r11;
+    bx = t.r12;
+    by = t.r22;
+  } else if (edges.to_dv <= edges.to_du) {
+    squared = edges.to_dv;
+    ax = -t.r11;
+    bx = t.r12 - t.r11;
+    by = t.r22;
+    rays.apex_x += t.r11;
+  } else {
+    squared = edges.to_du;
+    ax = -t.r12;
+    ay = -t.r22;
+    bx = t.r11 - t.r12;
+    by = -t.r22;
+    rays.apex_x += t.r12;
+    rays.apex_y += t.r22;
+  }
+  const float shortest = std::sqrt(squared);
+  const float wanted = k_nodes_per_deviation * shortest;
+  const int panels = static_cast<int>(wanted / (k_most_panel_nodes - 3)) + 1;
+  const int nodes = static_cast<int>(std::ceil(wanted / static_cast<float>(panels) + 2));
+  const SplatRules::Rule& rule = splat_rules().rules[static_cast<std::size_t>(nodes)];
+  const V unit = hn::Set(d, k_unit);
+  for (int panel = 0; panel < panels; ++panel) {
+    for (int k = 0; k < nodes; k += k_lanes) {
+      const V z = hn::Mul(hn::Add(hn::LoadU(d, rule.nodes.data() + k), hn::Set(d, static_cast<float>(panel))),
+                          hn::Set(d, 1 / static_cast<float>(panels)));
+      const V dx = hn::MulAdd(z, hn::Set(d, bx - ax), hn::Set(d, ax));
+      const V dy = hn::MulAdd(z, hn::Set(d, by - ay), hn::Set(d, ay));
+      const V length = hn::Sqrt(hn::MulAdd(dx, dx, hn::Mul(dy, dy)));
+      const V inverse = hn::Div(hn::Set(d, 1), length);
+      const V ux = hn::Mul(hn::Mul(dx, inverse), unit);
+      const V uy = hn::Mul(hn::Mul(dy, inverse), unit);
+      const auto along = [&](float vx, float vy)
+                             HWY_ATTR { return hn::MulAdd(hn::Set(d, vx), ux, hn::Mul(hn::Set(d, vy), uy)); };
+      const auto beside = [&](float vx, float vy)
+                              HWY_ATTR { return hn::MulSub(hn::Set(d, vx), uy, hn::Mul(hn::Set(d, vy), ux)); };
+      const std::size_t at = static_cast<std::size_t>(rays.count + k);
+      hn::StoreU(along(rays.apex_x, rays.apex_y), d, out.b0.data() + at);
+      hn::StoreU(along(t.wxx, t.wyx), d, out.bx.data() + at);
+      hn::StoreU(along(t.wxy, t.wyy), d, out.by.data() + at);
+      hn::StoreU(beside(rays.apex_x, rays.apex_y), d, out.p0.data() + at);
+      hn::StoreU(beside(t.wxx, t.wyx), d, out.px.data() + at);
+      hn::StoreU(beside(t.wxy, t.wyy), d, out.py.data() + at);
+      hn::StoreU(hn::Mul(length, unit), d, out.length.data() + at);
+      const V weight =
+          hn::Mul(hn::LoadU(d, rule.weights.data() + k), hn::Set(d, t.factor / static_cast<float>(panels)));
+      hn::StoreU(hn::Mul(weight, hn::Mul(inverse, inverse)), d, out.weight.data() + at);
+    }
+    rays.count += nodes;
+  }
+  // What fills the last vector is out of every cell's reach.
+  for (int k = rays.count; k % k_lanes != 0; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    out.p0[at] = 1e9F;
+    out.px[at] = out.py[at] = 0;
+  }
+  return rays;
+}
+
+// Rows [first, last] of the band and for each the columns within `reach` deviations of the triangle.
+struct Reach {
+  int first_row;
+  int last_row;
+};
+
+Reach find_reach(const SplatFrame& frame, const SplatCell& cell, const SplatBand& band, float reach,
+                 const std::array<float, 3>& x, const std::array<float, 3>& y, SplatScratch::Arrays& out) {
+  const Floats d;
+  const hn::RebindToSigned<Floats> di;
+  const auto [lowest, highest] = std::minmax({y[0], y[1], y[2]});
+  const float rows = reach / frame.ky;
+  const auto in_band = [&](float row) {
+    return std::clamp(row, static_cast<float>(band.first_row() - cell.origin_row) - 1,
+                      static_cast<float>(band.first_row() + band.rows() - cell.origin_row));
+  };
+  const int first = std::max(static_cast<int>(std::ceil(in_band(lowest - rows))), band.first_row() - cell.origin_row);
+  const int last = std::min(static_cast<int>(std::floor(in_band(highest + rows))),
+                            band.first_row() + band.rows() - 1 - cell.origin_row);
+  if (first > last) return {0, -1};
+
+  const V inverse_kx = hn::Set(d, 1 / frame.kx);
+  const V least = hn::Set(d, static_cast<float>(-cell.origin_column));
+  const V most = hn::Set(d, static_cast<float>(frame.columns - 1 - cell.origin_column));
+  const V squared_reach = hn::Set(d, reach * reach);
+  const V zero = hn::Zero(d);
+  for (int row = first; row <= last; row += k_lanes) {
+    const V at = hn::Mul(hn::Add(hn::Iota(d, static_cast<float>(row)), zero), hn::Set(d, frame.ky));
+    V lo = hn::Set(d, 1e9F);
+    V hi = hn::Set(d, -1e9F);
+    for (std::size_t v = 0; v < 3; ++v) {
+      const float vx = x[v] * frame.kx;
+      const float vy = y[v] * frame.ky;
+      const V off = hn::Sub(at, hn::Set(d, vy));
+      const V room = hn::NegMulAdd(off, off, squared_reach);
+      const auto meets = hn::Ge(room, zero);
+      const V half = hn::Sqrt(hn::Max(room, zero));
+      lo = hn::IfThenElse(meets, hn::Min(lo, hn::Sub(hn::Set(d, vx), half)), lo);
+      hi = hn::IfThenElse(meets, hn::Max(hi, hn::Add(hn::Set(d, vx), half)), hi);
+      // The edge to the next vertex, moved outwards by the reach.
+      const std::size_t next = v == 2 ? 0 : v + 1;
+      const float ex = x[next] * frame.kx - vx;
+      const float ey = y[next] * frame.ky - vy;
+      const float length = std::sqrt(ex * ex + ey * ey);
+      if (!(std::abs(ey) > 1e-6F * length)) continue;  // level: the vertices reach as far
+      const float out_x = reach * std::abs(ey) / length;
+      const float out_y = reach * (ey > 0 ? -ex : ex) / length;
+      const V slope = hn::Set(d, ex / ey);
+      const auto side = [&](float sign, auto combine, V bound) HWY_ATTR {
+        const V along = hn::Sub(off, hn::Set(d, sign * out_y));
+        const auto inside =
+            hn::And(hn::Ge(along, hn::Set(d, std::min(0.0F, ey))), hn::Le(along, hn::Set(d, std::max(0.0F, ey))));
+        const V edge = hn::MulAdd(along, slope, hn::Set(d, vx + sign * out_x));
+        return hn::IfThenElse(inside, combine(bound, edge), bound);
+      };
+      lo = side(
+          -1, [](V a, V b) HWY_ATTR { return hn::Min(a, b); }, lo);
+      hi = side(
+          1, [](V a, V b) HWY_ATTR { return hn::Max(a, b); }, hi);
+    }
+    const auto index = static_cast<std::size_t>(row - first);
+    const V first_column = hn::Max(hn::Ceil(hn::Mul(hn::Min(lo, hn::Set(d, 1e8F)), inverse_kx)), least);
+    const V last_column = hn::Min(hn::Floor(hn::Mul(hn::Max(hi, hn::Set(d, -1e8F)), inverse_kx)), most);
+    hn::StoreU(hn::ConvertTo(di, hn::Min(first_column, hn::Add(most, hn::Set(d, 1)))), di, out.first.data() + index);
+    hn::StoreU(hn::ConvertTo(di, hn::Max(last_column, hn::Sub(least, hn::Set(d, 1)))), di, out.last.data() + index);
+  }
+  return {first, last};
+}
+
+}  // namespace
+}  // namespace glint::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // per target

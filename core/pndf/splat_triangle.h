@@ -1,0 +1,67 @@
+#pragma once
+// One triangle on its way into a P-NDF image in single precision: what the per-target parts of triangle_splat.cpp
+// share.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/pndf/triangle_splat.h"
+
+namespace glint {
+
+inline constexpr int k_most_panel_nodes = 24;
+inline constexpr int k_most_nodes = 336;
+
+struct alignas(64) SplatScratch::Arrays {
+  // Of the rays, affine in the cell's column x and row y: the distance of the line, p0 + px x + py y, and of its start,
+  // b0 + bx x + by y; both in units in which exp(-x^2 / 2) is 2^(-x^2).
+  std::array<float, k_most_nodes> p0, px, py, b0, bx, by, length, weight;
+  std::vector<std::int32_t> first;  // columns of each row that are in reach
+  std::vector<std::int32_t> last;
+};
+
+// Gauss rules of floats, padded to whole vectors.
+struct SplatRules {
+  struct alignas(64) Rule {
+    std::array<float, 32> nodes{};
+    std::array<float, 32> weights{};
+  };
+  std::array<Rule, k_most_panel_nodes + 1> rules;
+
+  SplatRules();
+};
+
+const SplatRules& splat_rules();
+
+// A triangle after the QR, whitened; x and y count cells from the origin of its surface cell.
+struct SplatTriangle {
+  float r11, r12, r22;
+  float wx0, wxx, wxy;  // the right-angled vertex: (wx0 + wxx x + wxy y, wy0 + wyx x + wyy y)
+  float wy0, wyx, wyy;
+  float e0, ex, ey, exx, exy, eyy;  // log2 of the residual's factor
+  float factor;
+};
+
+struct SplatEdges {
+  float to_du;  // squared length of the edge from the right angle to the end of du
+  float to_dv;
+  float between;
+};
+
+inline SplatEdges edges_of(const SplatTriangle& t) {
+  const float across = t.r12 - t.r11;
+  return {t.r11 * t.r11, t.r12 * t.r12 + t.r22 * t.r22, across * across + t.r22 * t.r22};
+}
+
+// A symmetric rule on the unit simplex.
+struct Cubature {
+  int count;
+  std::array<std::array<float, 3>, 16> points;  // two coordinates, weight (they sum to 1/2)
+};
+
+// The cheapest that is exact to 1e-5 of the peak for a triangle whose longest whitened edge has this squared length;
+// null for one that is too long.
+const Cubature* cubature_for(float squared_longest);
+
+}  // namespace glint
