@@ -8,6 +8,7 @@
 #define GLINT_SIMD_MATH_INL_H_
 #endif
 
+#include <array>
 #include <cstdint>
 
 #include <hwy/highway.h>
@@ -16,6 +17,22 @@ HWY_BEFORE_NAMESPACE();
 namespace glint::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
+
+using Floats = hn::ScalableTag<float>;
+using V = hn::Vec<Floats>;
+inline constexpr int k_lanes = static_cast<int>(hn::MaxLanes(Floats()));
+
+/// exp(-x^2 / 2) = 2^(-(k_unit x)^2)
+inline constexpr float k_unit = 0.84932180F;
+
+/// One bit a lane, the first lowest.
+HWY_INLINE std::uint32_t mask_bits(hn::Mask<Floats> mask) {
+  std::array<std::uint8_t, 8> bytes{};
+  hn::StoreMaskBits(Floats(), mask, bytes.data());
+  std::uint32_t all = 0;
+  for (int k = 0; k < (k_lanes + 7) / 8; ++k) all |= std::uint32_t{bytes[static_cast<std::size_t>(k)]} << (8 * k);
+  return all;
+}
 
 /// 2^x for x <= 0, relative error 2e-7; 2^-100 below -100, so that few products become denormal numbers.
 template <class D, class V = hn::Vec<D>>
@@ -46,6 +63,18 @@ HWY_INLINE V reciprocal(D d, V x) {
 #endif
 }
 
+/// 1 / sqrt(x) to 3e-7, for normal x > 0.
+HWY_INLINE V reciprocal_root(V x) {
+  const Floats d;
+#if HWY_TARGET == HWY_SCALAR
+  return hn::Div(hn::Set(d, 1.0F), hn::Sqrt(x));
+#else
+  const V r = hn::ApproximateReciprocalSqrt(x);
+  const V half = hn::Mul(hn::Set(d, 0.5F), x);
+  return hn::Mul(r, hn::NegMulAdd(half, hn::Mul(r, r), hn::Set(d, 1.5F)));
+#endif
+}
+
 /// exp(x^2 / 2) times the integral of exp(-t^2 / 2) from x on (the Mills ratio), for x >= 0: relative error 3e-7 up to
 /// x = 6, where the integral is 2e-9, and of the right order beyond.
 template <class D, class V = hn::Vec<D>>
@@ -61,6 +90,14 @@ HWY_INLINE V mills_ratio(D d, V x) {
   p = hn::MulAdd(p, t, hn::Set(d, 2.5952654e-1F));
   return hn::Mul(p, t);
 }
+
+/// mills_ratio in units of 1 / k_unit: of x / k_unit, divided by k_unit.
+HWY_INLINE V unit_mills(V x) {
+  const Floats d;
+  return hn::Mul(mills_ratio(d, hn::Mul(x, hn::Set(d, 1 / k_unit))), hn::Set(d, 1 / k_unit));
+}
+/// The whole integral of exp(-x^2 / 2) in those units: sqrt(2 pi) / k_unit.
+inline constexpr float k_whole = 2.5066283F / k_unit;
 
 }  // namespace glint::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -1,7 +1,15 @@
 #include "core/pndf/fast_exact_pndf.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
+
+#include "core/math/flush_to_zero.h"
+#include "core/pndf/cell_visit.h"
+#include "core/pndf/exact_query.h"
+#include "core/pndf/folded_footprint.h"
+#include "core/pndf/surface_sampling.h"
 
 namespace glint {
 namespace {
@@ -11,19 +19,63 @@ ExactSettings with_image_cut(ExactSettings settings) {
   return settings;
 }
 
+// Queries of one footprint; asks double precision where it must.
+class FastExactFootprint final : public FootprintPndf {
+ public:
+  FastExactFootprint(const ExactPndf& model, const NormalBounds& bounds, const Footprint& footprint,
+                     const FootprintWindow& window)
+      : model_(model),
+        footprint_(footprint),
+        frame_(make_query_frame(model.cells(), bounds, window, footprint.center, model.intrinsic_roughness(),
+                                FastExactPndf::k_query_cut)) {}
+
+  void evaluate(std::span<const glm::dvec2> s, std::span<double> density) const override {
+    thread_local QueryScratch scratch;
+    const FlushToZero quick;
+    for (std::size_t k = 0; k < s.size(); ++k) {
+      const std::optional<double> value = exact_query(frame_, s[k], scratch);
+      density[k] = value ? *value : in_double(s[k]);
+    }
+  }
+
+  [[nodiscard]] glm::dvec2 sample(RandomStream& random) const override {
+    return SurfaceSampler(model_.cells().surface(), footprint_, model_.intrinsic_roughness()).sample(random);
+  }
+
+  [[nodiscard]] PndfError error() const override { return {PndfError::Kind::estimated, 1e-5}; }
+
+ private:
+  [[nodiscard]] double in_double(glm::dvec2 s) const {
+    PndfWorkspace workspace;
+    return model_.at(footprint_, workspace).pdf(s);
+  }
+
+  const ExactPndf& model_;
+  Footprint footprint_;
+  QueryFrame frame_;
+};
+
 }  // namespace
 
 FastExactPndf::FastExactPndf(Surface surface, double intrinsic_roughness, const ExactSettings& settings)
-    : exact_(std::move(surface), intrinsic_roughness, with_image_cut(settings)) {}
+    : exact_(std::move(surface), intrinsic_roughness, with_image_cut(settings)), bounds_(exact_.cells()) {}
 
 PndfModelInfo FastExactPndf::info() const {
   PndfModelInfo info = exact_.info();
-  info.guarantee = "exact for its triangles, images in single precision within 1e-4";
+  info.guarantee = "exact for its triangles, in single precision within 1e-4";
+  info.bytes += bounds_.bytes();
   return info;
 }
 
 FootprintPndf& FastExactPndf::at(const Footprint& footprint, PndfWorkspace& workspace) const {
-  return exact_.at(footprint, workspace);
+  const NormalMap& map = exact_.cells().surface().map();
+  const Footprint reduced{reduced_center(map, footprint.center), footprint.covariance};
+  const FootprintWindow window(reduced.covariance);
+  if (FoldedFootprint::pays(map, reduced.covariance, k_query_cut) ||
+      !can_query(exact_.cells(), window, reduced.center, k_query_cut)) {
+    return exact_.at(footprint, workspace);
+  }
+  return workspace.emplace<FastExactFootprint>(exact_, bounds_, reduced, window);
 }
 
 }  // namespace glint

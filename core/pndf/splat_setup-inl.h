@@ -15,23 +15,12 @@
 
 #include <hwy/highway.h>
 
+#include "core/math/simd_math-inl.h"
 #include "core/pndf/splat_triangle.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint::HWY_NAMESPACE {
 namespace {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-// exp(-x^2 / 2) = 2^(-(k_unit x)^2)
-constexpr float k_unit = 0.84932180F;
-
-using Floats = hn::ScalableTag<float>;
-using V = hn::Vec<Floats>;
-constexpr int k_lanes = static_cast<int>(hn::MaxLanes(Floats()));
-
-// Of the rays across the shortest edge; with two more they are good to 1e-5 of the triangle's scale.
-constexpr float k_nodes_per_deviation = 1.1F;
 
 constexpr float k_half_log2e = 0.72134752F;
 

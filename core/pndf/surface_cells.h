@@ -73,6 +73,8 @@ class SurfaceCells {
   SurfaceCells(Surface surface, int subdivision, bool vertex_shift);
 
   [[nodiscard]] const Surface& surface() const { return surface_; }
+  [[nodiscard]] int subdivision() const { return subdivision_; }
+  [[nodiscard]] bool vertex_shift() const { return vertex_shift_; }
   [[nodiscard]] std::size_t bytes() const { return tiles_.size() * sizeof(NormalBox); }
 
   /// The indices of cells along one axis: [first, first + count), repeated with that period where the map repeats. A

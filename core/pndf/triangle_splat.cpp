@@ -26,18 +26,8 @@ HWY_BEFORE_NAMESPACE();
 namespace glint::HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-constexpr float k_root_two_pi = 2.5066283F;
-
 constexpr int k_tile_width = k_lanes < 4 ? k_lanes : 4;
 constexpr int k_tile_height = k_lanes / k_tile_width;
-
-// mills_ratio in the units of the rays: of x / k_unit, divided by k_unit.
-HWY_INLINE V ray_mills(V x) {
-  const Floats d;
-  return hn::Mul(mills_ratio(d, hn::Mul(x, hn::Set(d, 1 / k_unit))), hn::Set(d, 1 / k_unit));
-}
 
 // Adds a tile to the image's rows.
 HWY_INLINE void add_tile(V values, float* out, std::ptrdiff_t stride, int rows) {
@@ -145,10 +135,10 @@ class TriangleSplat {
 
   // The rays from `first` on that matter for a tile, by what of them is beyond the cut for all of its cells.
   struct RayMasks {
-    std::uint64_t near_both_ends;
-    std::uint64_t far_start;  // the apex is too far away to matter
-    std::uint64_t far_end;
-    std::uint64_t far_both;
+    std::uint32_t near_both_ends;
+    std::uint32_t far_start;  // the apex is too far away to matter
+    std::uint32_t far_end;
+    std::uint32_t far_both;
   };
 
   HWY_INLINE V sum_rays(const SplatTriangle& t, const Rays& rays, V x, V y, V residual, const TileBox& tile) const {
@@ -162,9 +152,9 @@ class TriangleSplat {
     V sum = hn::Zero(d);
     for (int first = 0; first < rays.count; first += k_lanes) {
       const RayMasks masks = classify(first, tile);
-      const auto add = [&](std::uint64_t active, auto body) HWY_ATTR {
+      const auto add = [&](std::uint32_t active, auto body) HWY_ATTR {
         while (active != 0) {
-          const auto k = static_cast<std::size_t>(first + __builtin_ctzll(active));
+          const auto k = static_cast<std::size_t>(first + __builtin_ctz(active));
           active &= active - 1;
           sum = hn::Add(sum, body(k));
         }
@@ -195,20 +185,12 @@ class TriangleSplat {
     const V start = middle(arrays_.b0, arrays_.bx, arrays_.by);
     const V end = hn::Add(start, hn::LoadU(d, arrays_.length.data() + at));
     const V along = spread(arrays_.bx, arrays_.by);
-    const std::uint64_t near = bits(hn::And(
+    const std::uint32_t near = mask_bits(hn::And(
         hn::Lt(p, cut), hn::And(hn::Lt(hn::Sub(start, along), cut), hn::Lt(hn::Neg(cut), hn::Add(end, along)))));
-    const std::uint64_t far_start = bits(hn::Lt(hn::Add(start, along), hn::Neg(cut)));
-    const std::uint64_t far_end = bits(hn::Lt(cut, hn::Sub(end, along)));
+    const std::uint32_t far_start = mask_bits(hn::Lt(hn::Add(start, along), hn::Neg(cut)));
+    const std::uint32_t far_end = mask_bits(hn::Lt(cut, hn::Sub(end, along)));
     return {near & ~far_start & ~far_end, near & far_start & ~far_end, near & ~far_start & far_end,
             near & far_start & far_end};
-  }
-
-  static HWY_INLINE std::uint64_t bits(hn::Mask<Floats> mask) {
-    std::array<std::uint8_t, 8> bytes{};
-    hn::StoreMaskBits(Floats(), mask, bytes.data());
-    std::uint64_t all = 0;
-    for (int k = 0; k < (k_lanes + 7) / 8; ++k) all |= std::uint64_t{bytes[static_cast<std::size_t>(k)]} << (8 * k);
-    return all;
   }
 
   template <bool near_start, bool near_end>
@@ -222,7 +204,7 @@ class TriangleSplat {
     const V exponent = hn::NegMulAdd(p, p, residual);
     const V weight = hn::Set(d, arrays_.weight[k]);
     // sqrt(2 pi) exp(-p^2 / 2) (Phi(c) - Phi(b)), from the tails beyond |b| and |c|.
-    V between = hn::Mul(exp2_of_negative(d, exponent), hn::Set(d, k_root_two_pi / k_unit));
+    V between = hn::Mul(exp2_of_negative(d, exponent), hn::Set(d, k_whole));
     if (!near_start && !near_end) return hn::Mul(weight, hn::Mul(hn::Neg(b), between));
     V ends = hn::Zero(d);
     const V zero = hn::Zero(d);
@@ -234,12 +216,12 @@ class TriangleSplat {
     if (near_end) between = hn::IfThenZeroElse(ends_before, between);
     if (near_end) {
       const V at_end = exp2_of_negative(d, hn::NegMulAdd(c, c, exponent));
-      const V tail = hn::Mul(at_end, ray_mills(hn::Abs(c)));
+      const V tail = hn::Mul(at_end, unit_mills(hn::Abs(c)));
       between = hn::Sub(between, hn::IfThenElse(ends_before, hn::Neg(tail), tail));
       ends = hn::Sub(ends, at_end);
     }
     if (near_start) {
-      const V tail = hn::Mul(at_apex, ray_mills(hn::Abs(b)));
+      const V tail = hn::Mul(at_apex, unit_mills(hn::Abs(b)));
       between = hn::Add(between, hn::IfThenElse(starts_before, hn::Neg(tail), tail));
       ends = hn::Add(ends, at_apex);
     }

@@ -1,10 +1,12 @@
-// Exact images: time and error against double precision, for footprints of N = 10, 50 and 200 texels (sigma = N / 6) on
-// the map of the speed tables and on any given, for each instruction set, on one and two threads, interleaved.
+// Exact evaluation in single precision: time and error against double precision on the map of the speed tables and on
+// any given, for each instruction set. Images for footprints of N = 10, 50 and 200 texels (sigma = N / 6) on one and
+// two threads, interleaved; single queries, one by one on one thread, at normals drawn from D_P.
 //
 //   bench_exact [--quick] [--json FILE] [MAP...]
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -99,6 +101,56 @@ void measure(const std::string& name, const Surface& surface, int n, int runs, J
   fmt::print("{:<34} {:>4} {:>8} {:>8} {:>10.0f}\n", name, n, "double", thread_count(), in_double);
 }
 
+void measure_queries(const std::string& name, const Surface& surface, int n, Json& out) {
+  constexpr std::size_t k_queries = 10'000;
+  const double sigma = n / 6.0;
+  const Footprint footprint =
+      isotropic_footprint({0.5 * surface.map().width() + 0.5, 0.5 * surface.map().height() + 0.5}, sigma);
+  const Clock::time_point build = Clock::now();
+  const FastExactPndf fast(surface, k_roughness);
+  const double build_ms = std::chrono::duration<double, std::milli>(Clock::now() - build).count();
+  const ExactPndf exact(surface, k_roughness);
+  PndfWorkspace workspace;
+  PndfWorkspace other;
+  const FootprintPndf& pndf = fast.at(footprint, workspace);
+  RandomStream random(1, 2);
+  std::vector<glm::dvec2> s(k_queries);
+  for (glm::dvec2& normal : s) normal = pndf.sample(random);
+  const std::size_t checked = surface.interpolation() == Interpolation::linear ? 500 : 50;
+  std::vector<double> expected(checked);
+  exact.at(footprint, other).evaluate({s.data(), checked}, expected);
+  for (const InstructionSet set : supported_instruction_sets()) {
+    if (set == InstructionSet::scalar) continue;
+    force_instruction_set(set);
+    std::vector<double> density(k_queries);
+    std::vector<double> runs;
+    for (int run = 0; run < 6; ++run) {
+      const Clock::time_point begin = Clock::now();
+      for (std::size_t k = 0; k < k_queries; ++k) pndf.evaluate({&s[k], 1}, {&density[k], 1});
+      const double spent = std::chrono::duration<double, std::micro>(Clock::now() - begin).count();
+      if (run > 0) runs.push_back(spent / k_queries);
+    }
+    double difference = 0;
+    double sum = 0;
+    for (std::size_t k = 0; k < checked; ++k) {
+      difference += std::abs(density[k] - expected[k]);
+      sum += expected[k];
+    }
+    const bool smooth = surface.interpolation() == Interpolation::smooth;
+    fmt::print("{:<34} {:>4} {:>8} {:>9} {:>10.3f} {:>11.2e} {:>9.1f} {:>10.2f}\n", name, n, instruction_set_name(set),
+               smooth ? 32 : 2, median(runs), difference / sum, build_ms,
+               static_cast<double>(fast.info().bytes) / static_cast<double>(surface.map().normals().size()));
+    out.push_back({{"map", name},
+                   {"n", n},
+                   {"isa", instruction_set_name(set)},
+                   {"triangles", smooth ? 32 : 2},
+                   {"query_us", median(runs)},
+                   {"relative_error", difference / sum},
+                   {"build_ms", build_ms},
+                   {"bytes", fast.info().bytes}});
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -139,8 +191,17 @@ int main(int argc, char** argv) {
       measure(name, surface, n, n == 10 ? 101 : n == 50 ? 21 : 9, results);
     }
   }
+  fmt::print("\n{:<34} {:>4} {:>8} {:>9} {:>10} {:>11} {:>9} {:>10}\n", "map", "N", "isa", "triangles", "query us",
+             "mean error", "build ms", "B/texel");
+  Json queries = Json::array();
+  for (const auto& [name, surface] : surfaces) {
+    for (const Interpolation interpolation : {Interpolation::linear, Interpolation::smooth}) {
+      for (const int n : {18, 50}) measure_queries(name, Surface(surface.shared_map(), interpolation), n, queries);
+    }
+  }
   if (json.empty()) return 0;
-  const Json document = {{"machine", machine_name()}, {"sigma_r", k_roughness}, {"images", results}};
+  const Json document = {
+      {"machine", machine_name()}, {"sigma_r", k_roughness}, {"images", results}, {"queries", queries}};
   const Status written = write_file(json, document.dump(1) + "\n");
   if (!written) fmt::print(stderr, "{}\n", written.error().message());
   return written ? 0 : 1;

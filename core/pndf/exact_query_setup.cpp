@@ -1,0 +1,67 @@
+// Of exact queries: what one footprint prepares, in plain C++.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/pndf/exact_query.h"
+
+namespace glint {
+namespace {
+
+// Calls body(group, offset of its first cell) for each group of the axis that meets [lo, hi], in offsets from the
+// centre; a map that repeats has groups in every period.
+template <class Body>
+void for_groups(const SurfaceCells::Axis& axis, double first_offset, double reach, int groups, Body body) {
+  const double period = static_cast<double>(axis.count);
+  const double first_period = axis.periodic ? std::floor((-reach - first_offset) / period) : 0;
+  const double last_period = axis.periodic ? std::floor((reach - first_offset) / period) : 0;
+  for (double p = first_period; p <= last_period; ++p) {
+    for (int group = 0; group < groups; ++group) {
+      const double lo = first_offset + p * period + group * NormalBounds::k_group;
+      const double size = std::min<double>(NormalBounds::k_group, period - group * NormalBounds::k_group);
+      if (lo <= reach && lo + size >= -reach) body(group, lo, size);
+    }
+  }
+}
+
+}  // namespace
+
+bool can_query(const SurfaceCells& cells, const FootprintWindow& window, glm::dvec2 center, double cut) {
+  const Interpolation interpolation = cells.surface().interpolation();
+  if (interpolation == Interpolation::constant || cells.vertex_shift()) return false;
+  if (interpolation == Interpolation::smooth && cells.subdivision() != 4) return false;
+  if (cells.surface().map().wrap() == Wrap::repeat) return true;
+  const NormalMap& map = cells.surface().map();
+  const double u = window.reach_x(cut) + 1;
+  const double v = window.reach_y(cut) + 1;
+  return center.x - u > 0 && center.x + u < map.width() && center.y - v > 0 && center.y + v < map.height();
+}
+
+QueryFrame make_query_frame(const SurfaceCells& cells, const NormalBounds& bounds, const FootprintWindow& window,
+                            glm::dvec2 center, double roughness, double cut) {
+  const Whitening& w = window.whitening();
+  QueryFrame frame{
+      &cells,
+      &bounds,
+      static_cast<float>(w.w11),
+      static_cast<float>(w.w12),
+      static_cast<float>(w.w22),
+      static_cast<float>(1 / roughness),
+      static_cast<float>(cut),
+      static_cast<float>(w.determinant() / (4 * std::numbers::pi * std::numbers::pi * roughness * roughness)),
+      {}};
+  const double first_u = static_cast<double>(cells.axis_u().first) + cells.border() - center.x;
+  const double first_v = static_cast<double>(cells.axis_v().first) + cells.border() - center.y;
+  for_groups(cells.axis_v(), first_v, window.reach_y(cut), bounds.group_rows(), [&](int b, double top, double height) {
+    for_groups(cells.axis_u(), first_u, window.reach_x(cut), bounds.group_columns(),
+               [&](int a, double left, double width) {
+                 if (window.squared_distance({{left, left + width}, {top, top + height}}) >= cut * cut) return;
+                 frame.groups.push_back(
+                     {&bounds.group(a, b), 4 * a, 4 * b, static_cast<float>(left), static_cast<float>(top)});
+               });
+  });
+  return frame;
+}
+
+}  // namespace glint
