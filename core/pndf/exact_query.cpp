@@ -32,7 +32,7 @@ class LeafRows {
 
   // Those of cells first, first + 1, …, `more` rows further down.
   [[nodiscard]] HWY_INLINE V lanes(int first, int more) const {
-    const float* from = values_ + static_cast<std::ptrdiff_t>(first) + 4 * more;
+    const float* from = values_ + first + std::ptrdiff_t{4} * more;
 #if HWY_MAX_BYTES == 64
     return hn::Combine(Floats(), two(from + 8), two(from));
 #elif HWY_MAX_BYTES == 32
@@ -120,10 +120,11 @@ class Query {
 
   void search_group(const QueryGroup& group) {
     for_near_children(*group.bounds, group.left, group.top, NormalBounds::k_tile, [&](int child) HWY_ATTR {
-      const int column = group.tile_column + child % 4;
-      const int row = group.tile_row + child / 4;
-      search_tile(column, row, group.left + static_cast<float>(child % 4 * NormalBounds::k_tile),
-                  group.top + static_cast<float>(child / 4 * NormalBounds::k_tile));
+      const int column = child % 4;
+      const int row = child / 4;
+      search_tile(group.tile_column + column, group.tile_row + row,
+                  group.left + static_cast<float>(column * NormalBounds::k_tile),
+                  group.top + static_cast<float>(row * NormalBounds::k_tile));
     });
   }
 
@@ -154,12 +155,13 @@ class Query {
     load_smooth_block(cells.surface().map(), first, texels);
     std::uint32_t near = near_smooth_cells(texels, left, top);
     for (; near != 0; near &= near - 1) {
-      const int cell = __builtin_ctz(near);
-      if (cell % 4 >= columns || cell / 4 >= rows) continue;
+      const int x = __builtin_ctz(near) % 4;
+      const int y = __builtin_ctz(near) / 4;
+      if (x >= columns || y >= rows) continue;
       QueryLeaf& leaf = arrays_.add_leaf();
-      fill_smooth_leaf(texels, cell % 4, cell / 4, leaf);
-      leaf.left = left + static_cast<float>(cell % 4);
-      leaf.top = top + static_cast<float>(cell / 4);
+      fill_smooth_leaf(texels, x, y, leaf);
+      leaf.left = left + static_cast<float>(x);
+      leaf.top = top + static_cast<float>(y);
       leaf.size = 0.25F;
       list_triangles(4, 4);
     }

@@ -88,18 +88,19 @@ void NormalBounds::build_tile_row(const SurfaceCells& cells, int b) {
       const std::int64_t end = std::min<std::int64_t>((column + 1) * k_block, u.count) + before + after;
       for (std::int64_t k = column * k_block; k < end; ++k) row.include(texels[static_cast<std::size_t>(k)]);
       for (int block = 0; block < 4; ++block) {
-        const std::int64_t first = b * std::int64_t{k_tile} + block * k_block;
+        const std::int64_t first = b * std::int64_t{k_tile} + block * std::int64_t{k_block};
         const std::int64_t last = std::min<std::int64_t>(first + k_block, v.count);
         if (first >= v.count || j < first - before || j >= last + after) continue;
         blocks[static_cast<std::size_t>(block * block_columns + column)].include(row);
       }
     }
   }
-  for (int block = 0; block < 4 && b * k_tile + block * k_block < v.count; ++block) {
+  for (int block = 0; block < 4; ++block) {
+    if (b * std::int64_t{k_tile} + block * std::int64_t{k_block} >= v.count) break;
     for (std::int64_t column = 0; column < block_columns; ++column) {
       store(blocks[static_cast<std::size_t>(block * block_columns + column)], margin,
             tiles_[index(static_cast<int>(column / 4), b, tile_columns_)],
-            static_cast<std::size_t>(block * 4 + column % 4));
+            static_cast<std::size_t>(std::int64_t{4} * block + column % 4));
     }
   }
 }

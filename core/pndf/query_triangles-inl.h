@@ -45,11 +45,11 @@ HWY_INLINE TriangleLanes load_triangles(const QueryScratch::Arrays& arrays, std:
     const QueryLeaf& leaf = arrays.leaves[id / 32];
     const std::size_t cell = id % 16;
     const bool lower = id % 32 >= 16;
-    const float column = static_cast<float>(cell % 4) + (lower ? 1 : 0);
-    const float row = static_cast<float>(cell / 4) + (lower ? 1 : 0);
+    const std::size_t column = cell % 4 + (lower ? 1 : 0);
+    const std::size_t row = cell / 4 + (lower ? 1 : 0);
     const auto at = static_cast<std::size_t>(lane);
-    columns[0].values[at] = leaf.left + column * leaf.size;
-    columns[1].values[at] = leaf.top + row * leaf.size;
+    columns[0].values[at] = leaf.left + static_cast<float>(column) * leaf.size;
+    columns[1].values[at] = leaf.top + static_cast<float>(row) * leaf.size;
     columns[2].values[at] = lower ? -leaf.size : leaf.size;
     columns[3].values[at] = lower ? leaf.x1[cell + 4] : leaf.x0[cell];
     columns[4].values[at] = lower ? leaf.y1[cell + 4] : leaf.y0[cell];
@@ -240,7 +240,7 @@ HWY_INLINE V lane_ray(const LaneRays& rays, V residual, V at_apex, V z) {
 }
 
 // The longest whitened edge, in deviations, that single precision is trusted with.
-constexpr float k_longest_edge = 480;
+inline constexpr float k_longest_edge = 480;
 
 // Rays of many triangles, by field, for sorting by how many a triangle needs.
 class RayStore {
@@ -314,7 +314,7 @@ class RayStore {
     const auto field = [&](std::size_t k) HWY_ATTR { return hn::GatherIndex(d, arrays_.rays[k].data(), ids); };
     const LaneRays rays{field(0), field(1), field(2), field(3), field(4), field(5), hn::Zero(d), hn::Zero(d)};
     const V residual = field(6);
-    std::int32_t wanted = 0;
+    std::int32_t wanted = 2;
     for (std::size_t k = first; k < first + lanes; ++k) {
       wanted = std::max(wanted, arrays_.ray_counts[static_cast<std::size_t>(arrays_.order[k])]);
     }
@@ -342,7 +342,8 @@ class RayStore {
 };
 
 // Nothing where a triangle is too long.
-std::optional<double> sum_triangles(const QueryFrame& frame, const QueryNormal& query, QueryScratch::Arrays& arrays) {
+inline std::optional<double> sum_triangles(const QueryFrame& frame, const QueryNormal& query,
+                                           QueryScratch::Arrays& arrays) {
   const Floats d;
   RayStore store(arrays, arrays.triangle_count);
   double total = 0;

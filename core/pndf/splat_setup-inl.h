@@ -22,12 +22,12 @@ HWY_BEFORE_NAMESPACE();
 namespace glint::HWY_NAMESPACE {
 namespace {
 
-constexpr float k_half_log2e = 0.72134752F;
+inline constexpr float k_half_log2e = 0.72134752F;
 
 // The QR factorisation, shared by all cells. x, y: of the right angle and of the ends of the legs du and dv, in cells
 // of the image; (ox, oy) is the right angle's offset.
-SplatTriangle factorise(const SplatFrame& frame, float ox, float oy, float du, float dv, const std::array<float, 3>& x,
-                        const std::array<float, 3>& y) {
+inline SplatTriangle factorise(const SplatFrame& frame, float ox, float oy, float du, float dv,
+                               const std::array<float, 3>& x, const std::array<float, 3>& y) {
   const float kx = frame.kx;
   const float ky = frame.ky;
   const float a0 = frame.w11 * du;
@@ -98,7 +98,7 @@ struct Rays {
   float apex_y;
 };
 
-Rays make_rays(const SplatTriangle& t, const SplatEdges& edges, SplatScratch::Arrays& out) {
+inline Rays make_rays(const SplatTriangle& t, const SplatEdges& edges, SplatScratch::Arrays& out) {
   const Floats d;
   float ax = 0;
   float ay = 0;
@@ -146,7 +146,7 @@ Rays make_rays(const SplatTriangle& t, const SplatEdges& edges, SplatScratch::Ar
                              HWY_ATTR { return hn::MulAdd(hn::Set(d, vx), ux, hn::Mul(hn::Set(d, vy), uy)); };
       const auto beside = [&](float vx, float vy)
                               HWY_ATTR { return hn::MulSub(hn::Set(d, vx), uy, hn::Mul(hn::Set(d, vy), ux)); };
-      const std::size_t at = static_cast<std::size_t>(rays.count + k);
+      const std::size_t at = static_cast<std::size_t>(rays.count) + static_cast<std::size_t>(k);
       hn::StoreU(along(rays.apex_x, rays.apex_y), d, out.b0.data() + at);
       hn::StoreU(along(t.wxx, t.wyx), d, out.bx.data() + at);
       hn::StoreU(along(t.wxy, t.wyy), d, out.by.data() + at);
@@ -175,8 +175,8 @@ struct Reach {
   int last_row;
 };
 
-Reach find_reach(const SplatFrame& frame, const SplatCell& cell, const SplatBand& band, float reach,
-                 const std::array<float, 3>& x, const std::array<float, 3>& y, SplatScratch::Arrays& out) {
+inline Reach find_reach(const SplatFrame& frame, const SplatCell& cell, const SplatBand& band, float reach,
+                        const std::array<float, 3>& x, const std::array<float, 3>& y, SplatScratch::Arrays& out) {
   const Floats d;
   const hn::RebindToSigned<Floats> di;
   const auto [lowest, highest] = std::minmax({y[0], y[1], y[2]});

@@ -47,8 +47,9 @@ class TriangleSplat {
   TriangleSplat(const SplatFrame& frame, const SplatCell& cell, const SplatBand& band, SplatScratch::Arrays& arrays)
       : frame_(frame), cell_(cell), band_(band), arrays_(arrays) {
     for (int k = 0; k < k_lanes; ++k) {
+      const int row = k / k_tile_width;
       lane_x_[static_cast<std::size_t>(k)] = static_cast<float>(k % k_tile_width);
-      lane_y_[static_cast<std::size_t>(k)] = static_cast<float>(k / k_tile_width);
+      lane_y_[static_cast<std::size_t>(k)] = static_cast<float>(row);
     }
   }
 
@@ -85,17 +86,18 @@ class TriangleSplat {
   template <class Body>
   HWY_INLINE void for_tiles(const SplatTriangle& t, const Reach& reach, Body body) {
     const Floats d;
-    const V lane_x = hn::Load(d, lane_x_.data());
-    const V lane_y = hn::Load(d, lane_y_.data());
+    const V lane_x = hn::LoadU(d, lane_x_.data());
+    const V lane_y = hn::LoadU(d, lane_y_.data());
     const std::ptrdiff_t stride = SplatBand::stride_for(frame_.columns);
     const int rows = reach.last_row - reach.first_row + 1;
     for (int row = 0; row < rows; row += k_tile_height) {
       const int height = std::min(k_tile_height, rows - row);
-      std::int32_t first = arrays_.first[static_cast<std::size_t>(row)];
-      std::int32_t last = arrays_.last[static_cast<std::size_t>(row)];
-      for (int k = 1; k < height; ++k) {
-        first = std::min(first, arrays_.first[static_cast<std::size_t>(row + k)]);
-        last = std::max(last, arrays_.last[static_cast<std::size_t>(row + k)]);
+      const auto at = static_cast<std::size_t>(row);
+      std::int32_t first = arrays_.first[at];
+      std::int32_t last = arrays_.last[at];
+      for (std::size_t k = 1; k < static_cast<std::size_t>(height); ++k) {
+        first = std::min(first, arrays_.first[at + k]);
+        last = std::max(last, arrays_.last[at + k]);
       }
       if (first > last) continue;
       const auto top = static_cast<float>(reach.first_row + row);
@@ -154,7 +156,7 @@ class TriangleSplat {
       const RayMasks masks = classify(first, tile);
       const auto add = [&](std::uint32_t active, auto body) HWY_ATTR {
         while (active != 0) {
-          const auto k = static_cast<std::size_t>(first + __builtin_ctz(active));
+          const std::size_t k = static_cast<std::size_t>(first) + static_cast<std::size_t>(__builtin_ctz(active));
           active &= active - 1;
           sum = hn::Add(sum, body(k));
         }
@@ -232,8 +234,8 @@ class TriangleSplat {
   const SplatCell& cell_;
   const SplatBand& band_;
   SplatScratch::Arrays& arrays_;
-  alignas(64) std::array<float, static_cast<std::size_t>(k_lanes)> lane_x_{};
-  alignas(64) std::array<float, static_cast<std::size_t>(k_lanes)> lane_y_{};
+  std::array<float, static_cast<std::size_t>(k_lanes)> lane_x_{};
+  std::array<float, static_cast<std::size_t>(k_lanes)> lane_y_{};
 };
 
 }  // namespace

@@ -103,7 +103,7 @@ std::vector<std::uint64_t> DrawDamage::fingerprints(const ImDrawData& data) cons
         const std::uint64_t hash = mixed(mixed(mixed(state, *triangle.a), *triangle.b), *triangle.c);
         for (int row = bounds.y0 / k_tile; row <= (bounds.y1 - 1) / k_tile; ++row) {
           for (int column = bounds.x0 / k_tile; column <= (bounds.x1 - 1) / k_tile; ++column) {
-            std::uint64_t& tile = tiles[static_cast<std::size_t>(row * columns_ + column)];
+            std::uint64_t& tile = tiles[index_of(column, row)];
             tile = mixed(tile, hash);
           }
         }
@@ -119,7 +119,7 @@ std::vector<PixelRectangle> DrawDamage::changed_tiles(const std::vector<std::uin
   const auto height = static_cast<int>(size_.y);
   for (int row = 0; row < rows_; ++row) {
     const auto changed = [&](int column) {
-      const auto index = static_cast<std::size_t>(row * columns_ + column);
+      const std::size_t index = index_of(column, row);
       return tiles[index] != tiles_[index];
     };
     for (int column = 0; column < columns_; ++column) {

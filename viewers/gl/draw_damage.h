@@ -21,6 +21,9 @@ class DrawDamage {
   void forget() { size_ = {}; }
 
  private:
+  [[nodiscard]] std::size_t index_of(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  }
   [[nodiscard]] std::vector<std::uint64_t> fingerprints(const ImDrawData& data) const;
   [[nodiscard]] std::vector<PixelRectangle> changed_tiles(const std::vector<std::uint64_t>& tiles) const;
 

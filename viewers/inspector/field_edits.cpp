@@ -39,7 +39,7 @@ struct EditText {
 };
 
 // The field's name in front of what is wrong with it.
-Error explained_error(Error error) {
+Error explained_error(const Error& error) {
   const Parameter* const parameter = find_parameter(error.subject);
   const std::string subject = parameter && error.sentence.starts_with("is ") ? std::string(parameter->label) : "";
   return {error.kind, error.subject, capitalised(subject.empty() ? error.sentence : subject + " " + error.sentence)};
