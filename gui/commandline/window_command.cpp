@@ -20,9 +20,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double k_wait = 0.05;  // seconds; short, so that Ctrl-C in a terminal is heard
-constexpr std::chrono::milliseconds k_frame(16);
-constexpr int k_settling_frames = 3;  // what appears is laid out in one frame and drawn in the next
+constexpr double k_wait = 0.05;                   // seconds; short, so that Ctrl-C in a terminal is heard
+constexpr std::chrono::milliseconds k_frame(16);  // sixty a second, also on displays that could show more
+constexpr int k_settling_frames = 3;              // what appears is laid out in one frame and drawn in the next
 
 Workbench::Places places_of_this_user(bool remember) {
   Workbench::Places places;
@@ -60,16 +60,9 @@ class WindowLoop {
     int frames_left = k_settling_frames;
     while (!application_.ended() && !script_ended_ && !control_.cancelled()) {
       const Application::Pace pace = application_.pace();
-      const bool hurry = pace == Application::Pace::at_once || frames_left > 0;
-      const auto before = Clock::now();
-      if (hurry) {
-        poll_until_next_frame();
-      } else {
-        window_.poll(k_wait);
-      }
-      // A wait that ended early was ended by something that happened.
-      const bool happened = Clock::now() - before < std::chrono::duration<double>(0.9 * k_wait);
-      frames_left = happened && !hurry ? k_settling_frames : std::max(0, frames_left - 1);
+      const bool hurry = !window_.minimised() && (pace == Application::Pace::at_once || frames_left > 0);
+      const bool happened = hurry ? poll_until_next_frame() : window_.poll(k_wait);
+      frames_left = happened ? k_settling_frames : std::max(0, frames_left - 1);
       if (window_.close_requested()) {
         window_.refuse_close();
         application_.request_end();
@@ -82,13 +75,15 @@ class WindowLoop {
   }
 
  private:
-  // A window that nothing changed in is not shown again, so nothing else slows the frames down.
-  void poll_until_next_frame() {
+  // A window that nothing changed in is not shown again, so nothing else slows the frames down. True if something
+  // happened meanwhile.
+  bool poll_until_next_frame() {
     const Clock::time_point next = last_ + k_frame;
-    window_.poll(0);
+    bool happened = window_.poll(0);
     for (Clock::time_point now = Clock::now(); now < next; now = Clock::now()) {
-      window_.poll(std::chrono::duration<double>(next - now).count());
+      happened = window_.poll(std::chrono::duration<double>(next - now).count()) || happened;
     }
+    return happened;
   }
 
   void draw() {

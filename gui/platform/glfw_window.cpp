@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cfloat>
 #include <string>
 #include <utility>
@@ -72,14 +73,19 @@ class GlfwWindow final : public Window {
   }
   void swap() override { glfwSwapBuffers(window_); }
   [[nodiscard]] bool take_exposure() override { return std::exchange(exposed_, false); }
-  void poll(double seconds) override {
+  bool poll(double seconds) override {
     if (seconds > 0) {
       glfwWaitEventsTimeout(seconds);
     } else {
       glfwPollEvents();
     }
+    const bool woken = woken_.exchange(false);
+    return std::exchange(happened_, false) || woken;
   }
-  void wake() override { glfwPostEmptyEvent(); }
+  void wake() override {
+    woken_ = true;
+    glfwPostEmptyEvent();
+  }
   [[nodiscard]] bool close_requested() const override { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
   void refuse_close() override { glfwSetWindowShouldClose(window_, GLFW_FALSE); }
   void set_title(const std::string& title) override { glfwSetWindowTitle(window_, title.c_str()); }
@@ -121,6 +127,7 @@ class GlfwWindow final : public Window {
   }
 
   static void push(GLFWwindow* window, InputEvent event) {
+    of(window).happened_ = true;
     if (InputQueue* input = of(window).input_) input->push(std::move(event));
   }
 
@@ -147,7 +154,10 @@ class GlfwWindow final : public Window {
     glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int focused) {
       if (focused == GLFW_FALSE) push(w, FocusLost{});
     });
-    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { of(w).exposed_ = true; });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { of(w).exposed_ = of(w).happened_ = true; });
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { of(w).happened_ = true; });
+    glfwSetWindowIconifyCallback(window_, [](GLFWwindow* w, int) { of(w).happened_ = true; });
+    glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) { of(w).happened_ = true; });
     glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
       push(w, FileDrop{{paths, paths + count}});
     });
@@ -159,6 +169,8 @@ class GlfwWindow final : public Window {
   std::array<GLFWcursor*, 6> cursors_{};
   Cursor shown_ = Cursor::arrow;
   bool exposed_ = false;
+  bool happened_ = false;
+  std::atomic<bool> woken_ = false;
 };
 
 }  // namespace

@@ -20,8 +20,9 @@ class Window : public view::GlContext {
   virtual void swap() = 0;
   /// True once after the desktop lost what was shown.
   [[nodiscard]] virtual bool take_exposure() = 0;
-  /// Handles what has happened; waits up to `seconds` for something to happen first.
-  virtual void poll(double seconds) = 0;
+  /// Handles what has happened; waits up to `seconds` for something to happen first. True if anything has: input, a
+  /// change of the window, or wake().
+  virtual bool poll(double seconds) = 0;
   /// Ends a wait of poll(); from any thread.
   virtual void wake() = 0;
   /// The person asked to close it; stays so until refuse_close().

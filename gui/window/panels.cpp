@@ -68,6 +68,7 @@ void Panels::draw_pndf(view::Ui& ui, const Layout& layout, Workbench& workbench,
   input.nothing_because = nothing_because(jobs);
   input.cancelled = jobs.cancelled();
   const JobStatus status = jobs.status();
+  input.busy = status.busy;
   input.computing = status.method;
   input.progress = status.progress;
   input.flipped = flipped;

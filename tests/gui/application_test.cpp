@@ -152,7 +152,9 @@ TEST(Application, AHundredEditsInFiveSecondsShowPicturesOnTheWayAndEndWithThoseO
     do {
       stage.window->frame(false);
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      shown.insert(stage.app().workbench().jobs().results()->methods[0].revision);
+      const auto results = stage.app().workbench().jobs().results();
+      ASSERT_NE(results, nullptr);
+      shown.insert(results->methods.at(0).revision);
     } while (Clock::now() < next);
   }
   EXPECT_GT(shown.size(), 10U);

@@ -2,12 +2,15 @@
 
 #include "viewers/gl/draw_damage.h"
 
+#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
 
+#include "gui/platform/osmesa_context.h"
 #include "tests/viewers/full_redraw.h"
 #include "tests/viewers/stage.h"
+#include "viewers/screen.h"
 
 namespace glint::test {
 namespace {
@@ -132,6 +135,46 @@ TEST(DrawDamage, IsAsLargeAsWhatChanged) {
   EXPECT_TRUE(holds(910, 110));
 }
 
+TEST(DrawDamage, ShapesAnyDistanceAwayAreNoTrouble) {
+  Stage stage({400, 300});
+  FullRedraw full(stage.gl(), stage.size());
+  DrawDamage damage;
+  for (const float far : {1e6F, 3e9F, 1e11F, 3e38F, -1e11F, std::numeric_limits<float>::quiet_NaN()}) {
+    stage.frame([&](view::Ui&) {
+      ImDrawList& list = *ImGui::GetWindowDrawList();
+      list.AddRectFilled({far, 10}, {far + 20, 30}, IM_COL32_WHITE);
+      list.AddRectFilled({10, far}, {30, far + 20}, IM_COL32_WHITE);
+      list.AddRectFilled({-far, 40}, {far, 60}, IM_COL32(90, 0, 0, 255));
+    });
+    for (const PixelRectangle& r : damage.update(*ImGui::GetDrawData())) {
+      EXPECT_TRUE(r.x0 >= 0 && r.y0 >= 0 && r.x1 <= 400 && r.y1 <= 300) << far;
+    }
+    EXPECT_EQ(stage.pixels(), full.pixels()) << far;
+  }
+}
+
+TEST(DrawDamage, AWindowOfAnotherSizeOrScaleIsDrawnWhole) {
+  auto context = gui::make_osmesa_context({800, 600});
+  ASSERT_TRUE(context) << context.error().message();
+  auto screen = view::Screen::create(**context, 1);
+  ASSERT_TRUE(screen) << screen.error().message();
+  const auto body = [](view::Ui& ui) {
+    ImGui::GetWindowDrawList()->AddText(ui.fonts.text, ui.fonts.text->FontSize, {30, 30}, IM_COL32_WHITE, "Letters");
+    ImGui::GetWindowDrawList()->AddRectFilled({100, 100}, {300, 200}, IM_COL32(30, 90, 60, 255));
+  };
+  double seconds = 0;
+  const auto expect_whole = [&](glm::ivec2 size) {
+    (*screen)->draw(size, {.seconds = seconds += 0.1, .headless = true}, body);
+    FullRedraw full((*context)->gl(), size);
+    EXPECT_EQ((*screen)->pixels(), full.pixels()) << size.x;
+  };
+  expect_whole({640, 480});
+  expect_whole({800, 600});
+  expect_whole({640, 480});
+  (*screen)->set_scale(2);
+  expect_whole({640, 480});
+}
+
 TEST(DrawDamage, ManySmallChangesAreFewRectanglesThatShareNoPixel) {
   Stage stage({1280, 720});
   DrawDamage damage;
@@ -146,6 +189,9 @@ TEST(DrawDamage, ManySmallChangesAreFewRectanglesThatShareNoPixel) {
     });
     const std::vector<PixelRectangle> rectangles = damage.update(*ImGui::GetDrawData());
     ASSERT_LE(rectangles.size(), 12U);
+    if (frame > 0) {
+      ASSERT_LT(area_of(rectangles), 1280 * 720);
+    }
     for (std::size_t i = 0; i < rectangles.size(); ++i) {
       for (std::size_t j = i + 1; j < rectangles.size(); ++j) {
         ASSERT_TRUE(view::common_part(rectangles[i], rectangles[j]).empty());

@@ -58,6 +58,7 @@ class PndfViewTest : public testing::Test {
       input.results = results_;
       input.nothing_because = nothing_because_;
       input.cancelled = !nothing_because_.empty();
+      input.busy = busy_;
       input.computing = computing_;
       input.progress = 0.4;
       input.flipped = flipped_;
@@ -127,6 +128,7 @@ class PndfViewTest : public testing::Test {
   std::shared_ptr<PndfResults> results_;
   std::uint64_t revision_ = 1;
   std::string nothing_because_;
+  bool busy_ = false;
   std::optional<PndfMethod> computing_;
   bool flipped_ = false;
   PndfEvents events_;
@@ -287,12 +289,15 @@ TEST_F(PndfViewTest, WhileItWaitsForTheDocumentsPicturesOldFiguresAreGone) {
   const auto figure_width = [&] { return area("pndf.time.binning").width(); };
   const float with_figure = figure_width();
   revision_ = 2;
-  computing_ = PndfMethod::binning;
+  busy_ = true;  // reading the map: no method's turn yet
   frame();
   EXPECT_EQ(stage_.widgets().find("pndf.progress.exact"), nullptr);  // not at once: a quick picture does not flicker
   EXPECT_EQ(figure_width(), with_figure);
   for (int k = 0; k < 20; ++k) frame();
   EXPECT_NE(stage_.widgets().find("pndf.progress.exact"), nullptr);
+  EXPECT_LT(figure_width(), with_figure);
+  computing_ = PndfMethod::binning;
+  frame();
   EXPECT_NE(stage_.widgets().find("pndf.refining.binning"), nullptr);
   EXPECT_LT(figure_width(), with_figure);
   test::Picture picture{stage_.size(), stage_.pixels()};
@@ -300,6 +305,7 @@ TEST_F(PndfViewTest, WhileItWaitsForTheDocumentsPicturesOldFiguresAreGone) {
   test::expect_golden("busy-pndf-960x440", picture);
 
   for (MethodPicture& method : results_->methods) method.revision = 2;
+  busy_ = false;
   computing_.reset();
   frame();
   EXPECT_EQ(stage_.widgets().find("pndf.progress.exact"), nullptr);

@@ -1,7 +1,7 @@
 #include "viewers/gl/draw_damage.h"
 
 #include <bit>
-#include <cstring>
+#include <limits>
 #include <utility>
 
 #include "viewers/gl/draw_triangles.h"
@@ -40,20 +40,36 @@ std::uint64_t fingerprint(const ImDrawCmd& command, const PixelRectangle& clip) 
   return mixed(hash, static_cast<std::uint64_t>(clip.x1) << 32 | static_cast<std::uint64_t>(clip.y1));
 }
 
+// Beyond so many one frame around all of a row's changes is found faster than the best.
+constexpr std::size_t k_most_compared = 64;
+
 // The two whose common frame adds the fewest pixels become one.
 void merge_closest(std::vector<PixelRectangle>& rectangles) {
   std::pair<std::size_t, std::size_t> best{0, 1};
-  int least = -1;
+  int least = std::numeric_limits<int>::max();
   for (std::size_t i = 0; i < rectangles.size(); ++i) {
     for (std::size_t j = i + 1; j < rectangles.size(); ++j) {
       const int added = around(rectangles[i], rectangles[j]).area() - rectangles[i].area() - rectangles[j].area();
-      if (least >= 0 && added >= least) continue;
+      if (added >= least) continue;
       least = added;
       best = {i, j};
     }
   }
   rectangles[best.first] = around(rectangles[best.first], rectangles[best.second]);
   rectangles.erase(rectangles.begin() + static_cast<std::ptrdiff_t>(best.second));
+}
+
+// One rectangle around those that begin in the same row of tiles.
+std::vector<PixelRectangle> rows_of(const std::vector<PixelRectangle>& rectangles) {
+  std::vector<PixelRectangle> rows;
+  for (const PixelRectangle& rectangle : rectangles) {
+    if (!rows.empty() && rows.back().y0 == rectangle.y0) {
+      rows.back() = around(rows.back(), rectangle);
+    } else {
+      rows.push_back(rectangle);
+    }
+  }
+  return rows;
 }
 
 // A pixel drawn twice would get what is translucent twice.
@@ -138,6 +154,7 @@ std::vector<PixelRectangle> DrawDamage::changed_tiles(const std::vector<std::uin
       }
     }
   }
+  if (rectangles.size() > k_most_compared) rectangles = rows_of(rectangles);
   while (rectangles.size() > k_most_rectangles) merge_closest(rectangles);
   while (merge_overlapping(rectangles)) {
   }

@@ -46,7 +46,7 @@ GLuint make_sampler(const GlFunctions& gl, GLint smaller, GLint larger) {
   return name;
 }
 
-// One a kind of shading.
+// One a kind of shading, and one of plain colours.
 struct Program {
   GLuint name = 0;
   GLint projection = -1;

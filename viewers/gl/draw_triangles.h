@@ -24,16 +24,23 @@ struct DrawTriangle {
 
   /// Every pixel it can touch, within `clip`.
   [[nodiscard]] PixelRectangle bounds(const ImDrawData& data, const PixelRectangle& clip) const {
-    const auto low = [](float p, float q, float r, float origin, int least) {
-      return static_cast<int>(std::max(std::floor(std::min({p, q, r}) - origin), static_cast<float>(least)));
+    // Clamped on both sides before they become integers: what is drawn may lie any distance away.
+    const auto within = [](float value, int least, int most) {
+      return static_cast<int>(std::clamp(value, static_cast<float>(least), static_cast<float>(most)));
     };
-    const auto high = [](float p, float q, float r, float origin, int most) {
-      return static_cast<int>(std::min(std::ceil(std::max({p, q, r}) - origin), static_cast<float>(most)));
+    const auto low = [&](float p, float q, float r, float origin, int least, int most) {
+      return within(std::floor(std::min({p, q, r}) - origin), least, most);
     };
+    const auto high = [&](float p, float q, float r, float origin, int least, int most) {
+      return within(std::ceil(std::max({p, q, r}) - origin), least, most);
+    };
+    const auto known = [](const ImDrawVert& v) { return std::isfinite(v.pos.x) && std::isfinite(v.pos.y); };
+    if (clip.empty() || !known(*a) || !known(*b) || !known(*c)) return {};
     const ImVec2 origin = data.DisplayPos;
-    return {low(a->pos.x, b->pos.x, c->pos.x, origin.x, clip.x0), low(a->pos.y, b->pos.y, c->pos.y, origin.y, clip.y0),
-            high(a->pos.x, b->pos.x, c->pos.x, origin.x, clip.x1),
-            high(a->pos.y, b->pos.y, c->pos.y, origin.y, clip.y1)};
+    return {low(a->pos.x, b->pos.x, c->pos.x, origin.x, clip.x0, clip.x1),
+            low(a->pos.y, b->pos.y, c->pos.y, origin.y, clip.y0, clip.y1),
+            high(a->pos.x, b->pos.x, c->pos.x, origin.x, clip.x0, clip.x1),
+            high(a->pos.y, b->pos.y, c->pos.y, origin.y, clip.y0, clip.y1)};
   }
 };
 

@@ -61,8 +61,8 @@ int most_digits(double value) {
   return size >= 1e3 && size < 1e5 ? static_cast<int>(std::log10(size)) + 2 : 4;
 }
 
-// As many digits as there is room for; three where the others are zero: 0.0200, 12.0. Never fewer than three, nor than
-// stand before the point: where there is no room the entry writes smaller, then cuts visibly.
+// As many digits as there is room for; three where the others are zero: 0.0200, 12.0. Never rounded to fewer than
+// three, nor than stand before the point: where there is no room the entry writes smaller, then cuts visibly.
 std::string fitted_number(const Ui& ui, double value, float room) {
   const auto fits = [&](const std::string& text) { return text_size(ui.fonts.numbers, text).x <= room; };
   const double size = std::abs(value);

@@ -31,7 +31,7 @@ void draw_progress(Ui& ui, ImDrawList& list, const Rectangle& square, double pro
   ui.widgets.record(fmt::format("pndf.progress.{}", key), {bar, {}, false, true});
 }
 
-// Chips in the lower right corner, the first lowest; "refining 41 %" stands above them.
+// Chips in the lower right corner, the first lowest; "refining 41 %" or "computing 41 %" stands above them.
 void draw_chips(Ui& ui, ImDrawList& list, const Rectangle& square, const PictureState& state, std::string_view key) {
   const float inset = ui.px(6);
   const float room = square.width() - 2 * inset - ui.px(12);

@@ -32,9 +32,9 @@ struct Chip {
 struct PictureState {
   bool first = false;           ///< the one whose rings and axes are labelled
   bool dimmed = false;          ///< older than the document
-  bool awaited = false;         ///< and one of the document's is being computed: old figures say nothing
+  bool awaited = false;         ///< and one of the document's is on its way: old figures say nothing
   bool focused = false;         ///< by the keyboard
-  double progress = 1;          ///< of a better one under way
+  double progress = 1;          ///< of a better one under way, or of the document's
   std::vector<Chip> chips;      ///< from the bottom
   std::string nothing;          ///< why it is empty and stays so; where there is neither image nor this: "…"
   bool offers_restart = false;  ///< under that: a button

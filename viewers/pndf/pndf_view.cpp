@@ -204,6 +204,7 @@ std::optional<double> PndfView::State::density_at_cursor() const {
 void PndfView::State::flip(Ui& ui, const PndfInput& input, MethodColumn& column) {
   const MethodPicture* exact = picture_of(input.results.get(), PndfMethod::exact);
   column.state.chips.clear();
+  column.state.progress = 1;  // of another picture
   if (input.results && input.results->reference) {
     column.shown = &pictures.shown(ui.gl, input.results->reference);
     column.state.chips.push_back({"reference", {}});
@@ -231,7 +232,7 @@ MethodColumn PndfView::State::method_column(Ui& ui, const PndfInput& input, cons
     column.shown = &pictures.shown(ui.gl, column.picture->image);
     column.state.progress = column.picture->progress;
     column.state.dimmed = dimmed(ui, method_name(method), column.picture->revision < input.revision);
-    if (column.state.dimmed && input.computing) {
+    if (column.state.dimmed && input.busy) {
       column.state.awaited = true;
       column.state.progress = method == input.computing ? input.progress : 0;
     }

@@ -21,6 +21,7 @@ struct PndfInput {
   std::string nothing_because =
       {};                  ///< why there is no picture and none is coming ("cancelled", "no map"); empty: one is
   bool cancelled = false;  ///< that reason is a person's: a button offers to compute again
+  bool busy = false;       ///< something is under way that ends in pictures of the document
   std::optional<PndfMethod> computing = {};  ///< whose picture is being computed
   double progress = 0;                       ///< of that
   bool flipped = false;                      ///< the key that shows the reference everywhere is held
