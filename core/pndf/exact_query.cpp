@@ -66,10 +66,24 @@ class Query {
     arrays_.leaf_count = 0;
     arrays_.triangle_count = 0;
     for (const QueryGroup& group : frame_.groups) search_group(group);
-    return sum_triangles(frame_, normal_, arrays_);
+    sum_found();
+    return refused_ ? std::nullopt : std::optional(total_);
   }
 
  private:
+  // So that memory stays bounded, however many triangles matter.
+  static constexpr std::size_t k_most_triangles = 4096;
+
+  void sum_found() {
+    if (!refused_) {
+      const std::optional<double> sum = sum_triangles(frame_, normal_, arrays_);
+      refused_ = !sum;
+      total_ += sum.value_or(0);
+    }
+    arrays_.leaf_count = 0;
+    arrays_.triangle_count = 0;
+  }
+
   // Calls body(child) for the children of a node that can hold something within the cut. `size` is a child's, texels.
   template <class Body>
   HWY_INLINE void for_near_children(const NormalNode& node, float left, float top, float size, Body body) const {
@@ -138,6 +152,8 @@ class Query {
   }
 
   void search_block(int column, int row, float left, float top) {
+    if (arrays_.triangle_count > k_most_triangles) sum_found();
+    if (refused_) return;
     const SurfaceCells& cells = *frame_.cells;
     const int columns = std::min<int>(4, static_cast<int>(cells.axis_u().count) - column);
     const int rows = std::min<int>(4, static_cast<int>(cells.axis_v().count) - row);
@@ -250,6 +266,8 @@ class Query {
   const QueryFrame& frame_;
   QueryScratch::Arrays& arrays_;
   float squared_cut_;
+  double total_ = 0;
+  bool refused_ = false;  // a triangle was too long
   QueryNormal normal_{};
   std::array<float, 4> axes_{};
 };

@@ -20,12 +20,14 @@
 namespace glint {
 namespace {
 
-constexpr std::int64_t k_shares = 16;        // of the walk over the cells
-constexpr double k_slab_cells = 1U << 20U;   // so that their lists stay below some 30 MB
-constexpr int k_bands = 2;                   // a triangle is prepared anew for each band that it reaches
-constexpr int k_least_rows = 8;              // of a band
+constexpr std::int64_t k_shares = 16;  // of the walk over the cells
+constexpr double k_slab_cells =
+    1U << 20U;                   // so that their lists stay below some 50 MB, if the footprint is not all but a line
+constexpr int k_bands = 2;       // a triangle is prepared anew for each band that it reaches
+constexpr int k_least_rows = 8;  // of a band
 constexpr std::size_t k_group_cells = 1500;  // work for more threads than there are bands
 constexpr std::size_t k_most_groups = 16;
+constexpr std::size_t k_part_cells = 1U << 22U;  // of all groups' private images together
 constexpr int k_most_triangles = 8192;  // added up in single precision, in which small terms are lost in large sums
 
 struct ListedCell {
@@ -60,7 +62,12 @@ class FastExactImage {
   }
 
   std::optional<PndfImage> compute(JobControl& control) const {
-    const double cells = 4 * window_.reach_x(cut_) * window_.reach_y(cut_);
+    // No more than there are where the map does not repeat.
+    const auto reached = [](const SurfaceCells::Axis& axis, double reach) {
+      return axis.periodic ? 2 * reach + 1 : std::min(2 * reach + 1, static_cast<double>(axis.count));
+    };
+    const double cells =
+        reached(cells_.axis_u(), window_.reach_x(cut_)) * reached(cells_.axis_v(), window_.reach_y(cut_));
     const auto slabs = static_cast<std::int64_t>(std::clamp(std::ceil(cells / k_slab_cells), 1.0, 1e6));
     PndfImage image;
     image.grid = grid_;
@@ -89,10 +96,15 @@ class FastExactImage {
       return std::nullopt;
     }
     std::vector<ListedCell> cells;
-    for (const std::vector<ListedCell>& share : shares) cells.insert(cells.end(), share.begin(), share.end());
+    for (std::vector<ListedCell>& share : shares) {
+      cells.insert(cells.end(), share.begin(), share.end());
+      std::vector<ListedCell>().swap(share);
+    }
+    if (cells.empty()) return 0.0;
     const std::vector<int> borders = band_borders(cells);
     const std::size_t bands = borders.size() - 1;
-    const std::size_t groups = std::clamp<std::size_t>(cells.size() / k_group_cells, 1, k_most_groups);
+    const std::size_t most_groups = std::clamp<std::size_t>(k_part_cells / grid_.cells(), 1, k_most_groups);
+    const std::size_t groups = std::clamp<std::size_t>(cells.size() / k_group_cells, 1, most_groups);
 
     std::vector<std::vector<double>> parts(groups * bands);  // by group, then band
     if (!parallel_blocks(parts.size(), control, [&](std::size_t task) {
@@ -272,7 +284,8 @@ class FastExactImage {
 
 std::optional<PndfImage> FastExactPndf::image(const Footprint& footprint, const PndfGrid& grid,
                                               JobControl& control) const {
-  if (FoldedFootprint::pays(exact_.cells().surface().map(), footprint.covariance, exact_.image_cut())) {
+  if (!suits_single_precision(FootprintWindow(footprint.covariance), exact_.image_cut()) ||
+      FoldedFootprint::pays(exact_.cells().surface().map(), footprint.covariance, exact_.image_cut())) {
     return exact_.image(footprint, grid, control);
   }
   return FastExactImage(exact_, footprint, grid).compute(control);

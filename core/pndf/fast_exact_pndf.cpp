@@ -14,6 +14,21 @@
 namespace glint {
 namespace {
 
+// Of the double-precision twin's first attempt: where that folds, single normals go there at once.
+constexpr double k_folded_cut = 7.5;
+constexpr double k_least_roughness = 1e-6;  // below it a float does not hold a normal to a deviation
+constexpr double k_most_groups = 1e6;
+
+// Children without cells are told by bounds 32 squared roughnesses away.
+static_assert(FastExactPndf::k_query_cut * FastExactPndf::k_query_cut < 31);
+
+// Of cells that the footprint reaches.
+double group_estimate(const NormalMap& map, const FootprintWindow& window, double cut) {
+  const double width = std::min(NormalBounds::k_group, map.width());
+  const double height = std::min(NormalBounds::k_group, map.height());
+  return (2 * window.reach_x(cut) / width + 2) * (2 * window.reach_y(cut) / height + 2);
+}
+
 ExactSettings with_image_cut(ExactSettings settings) {
   settings.image_cut = std::min(settings.image_cut, FastExactPndf::k_image_cut);
   return settings;
@@ -42,7 +57,7 @@ class FastExactFootprint final : public FootprintPndf {
     return SurfaceSampler(model_.cells().surface(), footprint_, model_.intrinsic_roughness()).sample(random);
   }
 
-  [[nodiscard]] PndfError error() const override { return {PndfError::Kind::estimated, 1e-5}; }
+  [[nodiscard]] PndfError error() const override { return {PndfError::Kind::estimated, 5e-5}; }
 
  private:
   [[nodiscard]] double in_double(glm::dvec2 s) const {
@@ -71,8 +86,10 @@ FootprintPndf& FastExactPndf::at(const Footprint& footprint, PndfWorkspace& work
   const NormalMap& map = exact_.cells().surface().map();
   const Footprint reduced{reduced_center(map, footprint.center), footprint.covariance};
   const FootprintWindow window(reduced.covariance);
-  if (FoldedFootprint::pays(map, reduced.covariance, k_query_cut) ||
-      !can_query(exact_.cells(), window, reduced.center, k_query_cut)) {
+  if (FoldedFootprint::pays(map, reduced.covariance, k_folded_cut) ||
+      exact_.intrinsic_roughness() < k_least_roughness || !suits_single_precision(window, k_query_cut) ||
+      !can_query(exact_.cells(), window, reduced.center, k_query_cut) ||
+      group_estimate(map, window, k_query_cut) > k_most_groups) {
     return exact_.at(footprint, workspace);
   }
   return workspace.emplace<FastExactFootprint>(exact_, bounds_, reduced, window);

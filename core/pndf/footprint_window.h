@@ -23,6 +23,11 @@ struct OffsetBox {
   Interval y;
 };
 
+/// Offsets are whitened in single precision: a footprint so long and so far from the axes that this loses more than
+/// some 5e-5 deviations does not suit it.
+class FootprintWindow;
+bool suits_single_precision(const FootprintWindow& window, double cut);
+
 class FootprintWindow {
  public:
   explicit FootprintWindow(const SymmetricMatrix2& covariance)
@@ -74,5 +79,10 @@ class FootprintWindow {
   Whitening whitening_;
   double root_;
 };
+
+inline bool suits_single_precision(const FootprintWindow& window, double cut) {
+  constexpr double k_most = 400;  // deviations that cancel
+  return std::abs(window.whitening().w12) * window.reach_y(cut) <= k_most;
+}
 
 }  // namespace glint

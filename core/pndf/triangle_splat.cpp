@@ -58,7 +58,17 @@ class TriangleSplat {
            float room) {
     const Reach reach = find_reach(frame_, cell_, band_, std::sqrt(room), x, y, arrays_);
     if (reach.first_row > reach.last_row) return true;
-    const SplatTriangle t = factorise(frame_, ox, oy, du, dv, x, y);
+    // Counted from a cell near this triangle, for what is far away cancels.
+    origin_column_ = static_cast<int>(std::clamp(x[0], static_cast<float>(-cell_.origin_column),
+                                                 static_cast<float>(frame_.columns - 1 - cell_.origin_column)));
+    origin_row_ = static_cast<int>(
+        std::clamp(y[0], static_cast<float>(reach.first_row), static_cast<float>(reach.last_row)));
+    const auto from_origin = [](const std::array<float, 3>& from, int origin) {
+      const auto by = static_cast<float>(origin);
+      return std::array<float, 3>{from[0] - by, from[1] - by, from[2] - by};
+    };
+    const SplatTriangle t =
+        factorise(frame_, ox, oy, du, dv, from_origin(x, origin_column_), from_origin(y, origin_row_));
     const SplatEdges edges = edges_of(t);
     const float longest = std::max({edges.to_du, edges.to_dv, edges.between});
     if (!(longest < 4 * k_longest_splat_edge * k_longest_splat_edge) ||
@@ -100,7 +110,7 @@ class TriangleSplat {
         last = std::max(last, arrays_.last[at + k]);
       }
       if (first > last) continue;
-      const auto top = static_cast<float>(reach.first_row + row);
+      const auto top = static_cast<float>(reach.first_row + row - origin_row_);
       const V y = hn::Add(lane_y, hn::Set(d, top));
       const V row_residual = hn::MulAdd(y, hn::MulAdd(y, hn::Set(d, t.eyy), hn::Set(d, t.ey)), hn::Set(d, t.e0));
       const V row_slope = hn::MulAdd(y, hn::Set(d, t.exy), hn::Set(d, t.ex));
@@ -109,9 +119,10 @@ class TriangleSplat {
       const float half_y = 0.5F * static_cast<float>(k_tile_height - 1);
       float* out = band_.row(cell_.origin_row + reach.first_row + row - band_.first_row()) + cell_.origin_column;
       for (std::int32_t column = first; column <= last; column += k_tile_width) {
-        const V x = hn::Add(lane_x, hn::Set(d, static_cast<float>(column)));
+        const auto left = static_cast<float>(column - origin_column_);
+        const V x = hn::Add(lane_x, hn::Set(d, left));
         const V residual = hn::MulAdd(x, hn::MulAdd(x, hn::Set(d, t.exx), row_slope), row_residual);
-        const V sum = body(x, y, residual, static_cast<float>(column) + half_x, top + half_y, half_x, half_y);
+        const V sum = body(x, y, residual, left + half_x, top + half_y, half_x, half_y);
         add_tile(sum, out + column, stride, height);
       }
     }
@@ -234,6 +245,8 @@ class TriangleSplat {
   const SplatCell& cell_;
   const SplatBand& band_;
   SplatScratch::Arrays& arrays_;
+  int origin_column_ = 0;
+  int origin_row_ = 0;
   std::array<float, static_cast<std::size_t>(k_lanes)> lane_x_{};
   std::array<float, static_cast<std::size_t>(k_lanes)> lane_y_{};
 };
