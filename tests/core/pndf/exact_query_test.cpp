@@ -38,6 +38,8 @@ std::vector<Case> cases() {
       {"larger than the map", small, isotropic_footprint({3, 3}, 6), 0.02},
       {"a hundredth of a texel", odd, isotropic_footprint({33.3, 60.1}, 0.01), 0.01, 4e-5},  // edges of 100 deviations
       {"one to a hundred at 45 degrees", odd, test::turned_footprint({31, 33}, 8, 0.08, 0.785398163), 0.01},
+      {"one to ten thousand at 45 degrees", odd, test::turned_footprint({31, 33}, 30, 0.003, 0.785398163), 0.01},
+      {"hardly any roughness", odd, isotropic_footprint({33.3, 60.1}, 0.5), 1e-8},
       {"one to a thousand along v", odd, test::turned_footprint({31, 33}, 8, 0.008, std::numbers::pi / 2), 0.01},
       {"a rough lobe", odd, isotropic_footprint({33.3, 60.1}, 3), 0.3},
       {"a sharp lobe", odd, isotropic_footprint({33.3, 60.1}, 2), 0.0008},
