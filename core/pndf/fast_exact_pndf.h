@@ -9,11 +9,11 @@
 
 namespace glint {
 
-/// Images and single normals cut jointly at d_u^2 + d_s^2 < R^2, R = 5, which loses at most exp(-R^2 / 2) (1 + R^2 / 2) =
-/// 5e-5 of the mass, and of one value that share of the roughness' own peak; measured, images are within 1e-4 (relative
-/// L1) of ExactPndf on the same surface. Triangles too long for single precision, folded footprints, footprints so
-/// elongated and turned that their whitening cancels and, for single normals, the constant surface, shifted vertices, a
-/// roughness below 1e-6 and footprints that leave a map that clamps are evaluated by ExactPndf.
+/// Images and single normals cut jointly at d_u^2 + d_s^2 < R^2, R = 5, which loses at most exp(-R^2 / 2) (1 + R^2 / 2)
+/// = 5e-5 of the mass, and of one value that share of the roughness' own peak; measured, images are within 1e-4
+/// (relative L1) of ExactPndf on the same surface. Triangles too long for single precision, folded footprints,
+/// footprints so elongated and turned that their whitening cancels and, for single normals, the constant surface,
+/// shifted vertices, a roughness below 1e-6 and footprints that leave a map that clamps are evaluated by ExactPndf.
 class FastExactPndf final : public PndfModel {
  public:
   static constexpr double k_image_cut = 5;

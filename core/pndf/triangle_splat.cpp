@@ -61,8 +61,8 @@ class TriangleSplat {
     // Counted from a cell near this triangle, for what is far away cancels.
     origin_column_ = static_cast<int>(std::clamp(x[0], static_cast<float>(-cell_.origin_column),
                                                  static_cast<float>(frame_.columns - 1 - cell_.origin_column)));
-    origin_row_ = static_cast<int>(
-        std::clamp(y[0], static_cast<float>(reach.first_row), static_cast<float>(reach.last_row)));
+    origin_row_ =
+        static_cast<int>(std::clamp(y[0], static_cast<float>(reach.first_row), static_cast<float>(reach.last_row)));
     const auto from_origin = [](const std::array<float, 3>& from, int origin) {
       const auto by = static_cast<float>(origin);
       return std::array<float, 3>{from[0] - by, from[1] - by, from[2] - by};

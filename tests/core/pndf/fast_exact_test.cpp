@@ -118,12 +118,13 @@ TEST(FastExactImage, HandsTrianglesThatAreTooLongToDoublePrecision) {
 
 // Flat but for a few texels hundreds of deviations away: the triangles between flat texels beside them are not theirs.
 TEST(FastExactImage, OfAFlatMapWithScratchesIsThatOfDoublePrecision) {
-  const Surface surface(test::map_of(24, 24, Wrap::repeat,
-                                     [](int i, int j) { return i * 7 % 11 == j * 3 % 11 ? glm::dvec2(0.3, 0.1) : glm::dvec2(0, 0); }),
-                        Interpolation::linear);
+  const Surface surface(
+      test::map_of(24, 24, Wrap::repeat,
+                   [](int i, int j) { return i * 7 % 11 == j * 3 % 11 ? glm::dvec2(0.3, 0.1) : glm::dvec2(0, 0); }),
+      Interpolation::linear);
   for (const double roughness : {0.001, 0.004}) {
-    expect_close_to_double(surface, roughness, isotropic_footprint({12.3, 11.1}, 2), {-0.02, 0.02, -0.02, 0.02, 100, 100},
-                           "sigma_r " + std::to_string(roughness));
+    expect_close_to_double(surface, roughness, isotropic_footprint({12.3, 11.1}, 2),
+                           {-0.02, 0.02, -0.02, 0.02, 100, 100}, "sigma_r " + std::to_string(roughness));
     expect_close_to_double(surface, roughness, isotropic_footprint({12.3, 11.1}, 2), {-0.5, 0.5, -0.5, 0.5, 700, 700},
                            "wide, sigma_r " + std::to_string(roughness));
   }
