@@ -93,6 +93,43 @@ TEST(KeyboardTour, SavesThroughTheDialog) {
   EXPECT_TRUE(stage.app().workbench().editor().is_saved());
 }
 
+TEST(KeyboardTour, ZoomsTheMap) {
+  const ApplicationStage stage;
+  stage.open_small();
+  const double before = stage.app().panels().map().zoom();
+  stage.play("key =\nwait 2");
+  EXPECT_GT(stage.app().panels().map().zoom(), before);
+  stage.play("key -\nkey -\nwait 2");
+  EXPECT_LT(stage.app().panels().map().zoom(), before);
+}
+
+TEST(KeyboardTour, ExportsThroughTheDialog) {
+  const ApplicationStage stage;
+  stage.open_small();
+  stage.play("key Ctrl+E\nwait 3");
+  tab_to(stage, "export.path");
+  const std::filesystem::path file = stage.folder / "images.exr";
+  stage.play("key Enter\nwait 2\nkey Ctrl+A\ntype " + file.string() + "\nwait 2\nkey Enter\nwait 5");
+  EXPECT_TRUE(std::filesystem::exists(file));
+}
+
+TEST(KeyboardTour, OpensAFileThroughTheBrowser) {
+  const ApplicationStage stage;
+  stage.open_small();
+  write_text(stage.folder / "other.json",
+             std::string(k_small_preset).replace(k_small_preset.find("small"), 5, "other"));
+  stage.play("key Ctrl+Shift+O\nwait 5");
+  tab_to(stage, "browser.path");
+  stage.play("key Enter\nwait 2\nkey Ctrl+A\ntype " + (stage.folder / "other.json").string() +
+             "\nwait 3\nkey Enter\nwait 5");
+  if (stage.app().overlays().is_open()) {
+    tab_to(stage, "browser.accept");
+    stage.play("key Enter\nwait 5");
+  }
+  stage.play("wait jobs");
+  EXPECT_EQ(stage.document().name, "other");
+}
+
 TEST(KeyboardTour, ListsEveryKeyAndLeavesTheList) {
   const ApplicationStage stage;
   stage.open_small();
