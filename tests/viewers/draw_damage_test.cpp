@@ -135,6 +135,32 @@ TEST(DrawDamage, IsAsLargeAsWhatChanged) {
   EXPECT_TRUE(holds(910, 110));
 }
 
+// As when a picture of few cells gives way to one of many.
+TEST(DrawDamage, SeesANewPictureThatIsAlsoFilteredAnotherWay) {
+  Stage stage({400, 300});
+  FullRedraw full(stage.gl(), stage.size());
+  std::vector<view::Texture> textures;
+  std::mt19937 engine(9);
+  for (int k = 0; k < 4; ++k) {
+    std::vector<float> values(16 * 16);
+    for (float& value : values) value = std::uniform_real_distribution(0.0F, 2.0F)(engine);
+    textures.emplace_back(stage.gl(), view::Texture::Format::value, glm::ivec2(16, 16), values.data());
+  }
+  for (const view::Texture& texture : textures) {
+    for (const bool nearest : {true, false}) {
+      for (const view::Texture& next : textures) {
+        for (const auto& [shown, squares] : {std::pair{&texture, nearest}, std::pair{&next, !nearest}}) {
+          stage.frame([&, shown = shown, squares = squares](view::Ui& ui) {
+            const view::Shading shading{view::Shading::Kind::density, 0.1F, 2, false, squares};
+            ImGui::GetWindowDrawList()->AddImage(ui.pictures.add(*shown, shading), {20, 20}, {220, 220});
+          });
+          ASSERT_EQ(stage.pixels(), full.pixels());
+        }
+      }
+    }
+  }
+}
+
 TEST(DrawDamage, ShapesAnyDistanceAwayAreNoTrouble) {
   Stage stage({400, 300});
   FullRedraw full(stage.gl(), stage.size());

@@ -14,6 +14,8 @@ constexpr int k_tile = 32;  // pixels
 // More are not worth the passes over the recorded triangles.
 constexpr std::size_t k_most_rectangles = 12;
 
+constexpr std::uint64_t k_seed = 0x243F6A8885A308D3U;
+
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t word) {
   hash = (hash ^ word) * 0x9E3779B97F4A7C15U;
   return hash ^ (hash >> 32);
@@ -32,9 +34,10 @@ std::uint64_t mixed(std::uint64_t hash, const ImDrawVert& vertex) {
 std::uint64_t fingerprint(const ImDrawCmd& command, const PixelRectangle& clip) {
   const auto& picture = *static_cast<const FramePicture*>(command.GetTexID());
   const Shading& shading = picture.shading;
-  std::uint64_t hash =
-      mixed(picture.texture->serial(), static_cast<std::uint64_t>(shading.kind) * 4 + (shading.logarithmic ? 2U : 0U) +
-                                           (shading.nearest ? 1U : 0U));
+  // One after the other: small numbers mixed at once could cancel.
+  std::uint64_t hash = mixed(k_seed, picture.texture->serial());
+  hash = mixed(hash, static_cast<std::uint64_t>(shading.kind) * 4 + (shading.logarithmic ? 2U : 0U) +
+                         (shading.nearest ? 1U : 0U));
   hash = mixed(hash, shading.lo, shading.hi);
   hash = mixed(hash, static_cast<std::uint64_t>(clip.x0) << 32 | static_cast<std::uint64_t>(clip.y0));
   return mixed(hash, static_cast<std::uint64_t>(clip.x1) << 32 | static_cast<std::uint64_t>(clip.y1));
