@@ -91,7 +91,7 @@ constexpr std::array k_parameters{
               .short_label = "Precision",
               .kind = ParameterKind::choice,
               .choices = k_choice_names<ExactPrecision>,
-              .help = "What exact evaluation computes in: float is a hundred times faster and within 1e-4 of double.",
+              .help = "What exact evaluation computes in: float is many times faster and within 1e-4 of double.",
               .source = "this tool: exact evaluation",
               .access = at<[](auto& d) -> auto& { return d.exact_precision; }>(),
               .matters = of_exact},

@@ -35,9 +35,9 @@ HWY_INLINE std::uint32_t mask_bits(hn::Mask<Floats> mask) {
 }
 
 /// 2^x for x <= 0, relative error 2e-7; 2^-100 below -100, so that few products become denormal numbers.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE V exp2_of_negative(D d, V x) {
-  const hn::RebindToSigned<D> di;
+HWY_INLINE V exp2_of_negative(V x) {
+  const Floats d;
+  const hn::RebindToSigned<Floats> di;
   x = hn::Max(x, hn::Set(d, -100.0F));
   const V whole = hn::Round(x);
   const V f = hn::Sub(x, whole);
@@ -53,8 +53,8 @@ HWY_INLINE V exp2_of_negative(D d, V x) {
 }
 
 /// 1 / x to 2e-7, for normal x.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE V reciprocal(D d, V x) {
+HWY_INLINE V reciprocal(V x) {
+  const Floats d;
 #if HWY_TARGET == HWY_SCALAR
   return hn::Div(hn::Set(d, 1.0F), x);
 #else
@@ -77,10 +77,10 @@ HWY_INLINE V reciprocal_root(V x) {
 
 /// exp(x^2 / 2) times the integral of exp(-t^2 / 2) from x on (the Mills ratio), for x >= 0: relative error 3e-7 up to
 /// x = 6, where the integral is 2e-9, and of the right order beyond.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE V mills_ratio(D d, V x) {
+HWY_INLINE V mills_ratio(V x) {
+  const Floats d;
   // Chebyshev interpolation of degree 6 of the ratio over t, in t = 1 / (1 + 0.26 x).
-  const V t = reciprocal(d, hn::MulAdd(x, hn::Set(d, 0.26F), hn::Set(d, 1.0F)));
+  const V t = reciprocal(hn::MulAdd(x, hn::Set(d, 0.26F), hn::Set(d, 1.0F)));
   V p = hn::Set(d, -1.8616809e-1F);
   p = hn::MulAdd(p, t, hn::Set(d, 5.8520108e-1F));
   p = hn::MulAdd(p, t, hn::Set(d, -2.8160365e-1F));
@@ -94,7 +94,7 @@ HWY_INLINE V mills_ratio(D d, V x) {
 /// mills_ratio in units of 1 / k_unit: of x / k_unit, divided by k_unit.
 HWY_INLINE V unit_mills(V x) {
   const Floats d;
-  return hn::Mul(mills_ratio(d, hn::Mul(x, hn::Set(d, 1 / k_unit))), hn::Set(d, 1 / k_unit));
+  return hn::Mul(mills_ratio(hn::Mul(x, hn::Set(d, 1 / k_unit))), hn::Set(d, 1 / k_unit));
 }
 /// The whole integral of exp(-x^2 / 2) in those units: sqrt(2 pi) / k_unit.
 inline constexpr float k_whole = 2.5066283F / k_unit;

@@ -10,7 +10,7 @@
 
 #include "core/math/quadrature.h"
 #include "core/pndf/cell_visit.h"
-#include "core/pndf/exact_pndf.h"
+#include "core/pndf/exact_image_setup.h"
 #include "core/pndf/folded_footprint.h"
 #include "core/pndf/point_splatter.h"
 #include "core/pndf/triangle_kernel.h"
@@ -86,17 +86,10 @@ void for_points(const RayRule& rule, Body body) {
   }
 }
 
-class ExactImage {
+class ExactImage : ExactImageSetup {
  public:
   ExactImage(const ExactPndf& model, const Footprint& footprint, const PndfGrid& grid)
-      : cells_(model.cells()),
-        footprint_{reduced_center(cells_.surface().map(), footprint.center), footprint.covariance},
-        window_(footprint_.covariance),
-        grid_(grid),
-        cut_(model.image_cut()),
-        widening_(model.cell_means() ? mean_widening(grid) : widening_for(grid, model.intrinsic_roughness())) {
-    const double variance = model.intrinsic_roughness() * model.intrinsic_roughness();
-    roughness_ = {std::sqrt(variance + widening_.x), std::sqrt(variance + widening_.y)};
+      : ExactImageSetup(model, footprint, grid) {
     if (FoldedFootprint::pays(cells_.surface().map(), footprint_.covariance, cut_)) {
       folded_ = std::make_unique<FoldedFootprint>(cells_.surface().map(), footprint_, cells_.border());
     }
@@ -111,10 +104,7 @@ class ExactImage {
     for (int first = 0; first < grid_.rows; first += band_rows) {
       if (!compute_band(first, std::min(band_rows, grid_.rows - first), image, control)) return std::nullopt;
     }
-    // What the cut loses is bounded as a share of the whole mass; the error is relative to what the window holds.
-    const double half = 0.5 * cut_ * cut_;
-    const double held = integral(image);
-    if (held > 0) image.error = {PndfError::Kind::bounded, std::exp(-half) * (1 + half) / held};
+    image.error = cut_error(integral(image));
     return image;
   }
 
@@ -137,16 +127,6 @@ class ExactImage {
   // The normals of a band's cell centres.
   [[nodiscard]] NormalBox band_box(int first_row, int rows) const {
     return {grid_.center(0, first_row + rows - 1), grid_.center(grid_.columns - 1, first_row)};
-  }
-
-  // Squared distance between a box of normals and the band, in units of the roughness.
-  [[nodiscard]] double squared_gap(const NormalBox& normals, const NormalBox& band) const {
-    const auto gap = [](double lo, double hi, double band_lo, double band_hi) {
-      return std::max({lo - band_hi, band_lo - hi, 0.0});
-    };
-    const double x = gap(normals.lo.x, normals.hi.x, band.lo.x, band.hi.x) / roughness_.x;
-    const double y = gap(normals.lo.y, normals.hi.y, band.lo.y, band.hi.y) / roughness_.y;
-    return x * x + y * y;
   }
 
   void splat_share(VisitShare share, const NormalBox& band, PointSplatter& out, JobControl& control) const {
@@ -242,13 +222,6 @@ class ExactImage {
     });
   }
 
-  const SurfaceCells& cells_;
-  Footprint footprint_;
-  FootprintWindow window_;
-  PndfGrid grid_;
-  double cut_;
-  glm::dvec2 widening_;
-  glm::dvec2 roughness_{0, 0};
   std::unique_ptr<FoldedFootprint> folded_;
 };
 

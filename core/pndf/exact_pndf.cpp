@@ -14,7 +14,6 @@ namespace glint {
 namespace {
 
 constexpr double k_first_cut = 8.5;
-constexpr double k_first_folded_cut = 7.5;
 constexpr double k_widest_cut = 40;  // exp(-800): beyond it a double holds nothing
 constexpr double k_folded_error = 1e-8;
 constexpr double k_truncation = 1e-9;  // largest neglected share of a value
@@ -34,7 +33,7 @@ class ExactFootprint final : public FootprintPndf {
         footprint_{reduced_center(model.cells().surface().map(), footprint.center), footprint.covariance},
         window_(footprint_.covariance) {
     const NormalMap& map = model.cells().surface().map();
-    if (FoldedFootprint::pays(map, footprint_.covariance, k_first_folded_cut)) {
+    if (FoldedFootprint::pays(map, footprint_.covariance, ExactPndf::k_folded_cut)) {
       folded_ = std::make_unique<FoldedFootprint>(map, footprint_, model.cells().border());
     }
   }
@@ -58,7 +57,7 @@ class ExactFootprint final : public FootprintPndf {
     const double roughness = model_.intrinsic_roughness();
     const double peak = 1 / (2 * std::numbers::pi * roughness * roughness);
     // Widen the cut until what it neglects does not count; far out in the tail that takes several steps.
-    double cut = folded_ ? k_first_folded_cut : k_first_cut;
+    double cut = folded_ ? ExactPndf::k_folded_cut : k_first_cut;
     double density = folded_ ? folded_sum(s, cut) : plain_sum(s, cut);
     while (cut < k_widest_cut && neglected(cut, peak, folded_ != nullptr) > k_truncation * density) {
       cut = density > 0 ? std::max(cut + 0.5, cut_for(k_truncation * density / peak)) : cut * 1.5;

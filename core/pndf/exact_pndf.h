@@ -23,6 +23,8 @@ struct ExactSettings {
 /// FoldedFootprint) has absolute accuracy: 1e-8 of a value holds while that is above 1e-6 of the peak.
 class ExactPndf final : public PndfModel {
  public:
+  static constexpr double k_folded_cut = 7.5;  ///< of single normals under a folded footprint, at first
+
   /// `intrinsic_roughness` is sigma_r in (0, 1].
   ExactPndf(Surface surface, double intrinsic_roughness, ExactSettings settings = {});
 

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "core/pndf/query_leaf.h"
-#include "core/pndf/splat_triangle.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/pndf/exact_query.cpp"

@@ -1,6 +1,7 @@
 // Of exact queries: what one footprint prepares, in plain C++.
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -8,6 +9,16 @@
 
 namespace glint {
 namespace {
+
+constexpr double k_least_roughness = 1e-6;  // below it a float does not hold a normal to a deviation
+constexpr double k_most_groups = 1e6;
+
+// Of cells that the footprint reaches.
+double group_estimate(const NormalMap& map, const FootprintWindow& window, double cut) {
+  const double width = std::min(NormalBounds::k_group, map.width());
+  const double height = std::min(NormalBounds::k_group, map.height());
+  return (2 * window.reach_x(cut) / width + 2) * (2 * window.reach_y(cut) / height + 2);
+}
 
 // Calls body(group, offset of its first cell) for each group of the axis that meets [lo, hi], in offsets from the
 // centre; a map that repeats has groups in every period.
@@ -27,7 +38,11 @@ void for_groups(const SurfaceCells::Axis& axis, double first_offset, double reac
 
 }  // namespace
 
-bool can_query(const SurfaceCells& cells, const FootprintWindow& window, glm::dvec2 center, double cut) {
+bool can_query(const SurfaceCells& cells, const FootprintWindow& window, glm::dvec2 center, double roughness,
+               double cut) {
+  assert(cut * cut < 31 && "children without cells are told by bounds 32 squared roughnesses away");
+  if (roughness < k_least_roughness || !suits_single_precision(window, cut)) return false;
+  if (group_estimate(cells.surface().map(), window, cut) > k_most_groups) return false;
   const Interpolation interpolation = cells.surface().interpolation();
   if (interpolation == Interpolation::constant || cells.vertex_shift()) return false;
   if (interpolation == Interpolation::smooth && cells.subdivision() != 4) return false;

@@ -12,6 +12,7 @@
 
 #include "core/math/flush_to_zero.h"
 #include "core/pndf/cell_visit.h"
+#include "core/pndf/exact_image_setup.h"
 #include "core/pndf/fast_exact_pndf.h"
 #include "core/pndf/folded_footprint.h"
 #include "core/pndf/triangle_kernel.h"
@@ -36,18 +37,10 @@ struct ListedCell {
   int last_row;
 };
 
-class FastExactImage {
+class FastExactImage : ExactImageSetup {
  public:
   FastExactImage(const ExactPndf& model, const Footprint& footprint, const PndfGrid& grid)
-      : cells_(model.cells()),
-        footprint_{reduced_center(cells_.surface().map(), footprint.center), footprint.covariance},
-        window_(footprint_.covariance),
-        grid_(grid),
-        cut_(model.image_cut()),
-        widening_(model.cell_means() ? mean_widening(grid) : widening_for(grid, model.intrinsic_roughness())),
-        stride_(SplatBand::stride_for(grid.columns)) {
-    const double variance = model.intrinsic_roughness() * model.intrinsic_roughness();
-    roughness_ = {std::sqrt(variance + widening_.x), std::sqrt(variance + widening_.y)};
+      : ExactImageSetup(model, footprint, grid), stride_(SplatBand::stride_for(grid.columns)) {
     const Whitening& w = window_.whitening();
     const glm::dvec2 k = grid_.pitch() / roughness_;
     frame_ = {
@@ -79,9 +72,7 @@ class FastExactImage {
       if (!added) return std::nullopt;
       held += *added * grid_.cell_area();
     }
-    // What the cut loses; several times what single precision adds.
-    const double half = 0.5 * cut_ * cut_;
-    if (held > 0) image.error = {PndfError::Kind::bounded, std::exp(-half) * (1 + half) / held};
+    image.error = cut_error(held);  // several times what single precision adds
     return image;
   }
 
@@ -134,8 +125,9 @@ class FastExactImage {
 
   void list_cells(VisitShare share, std::vector<ListedCell>& list, JobControl& control) const {
     const double limit = cut_ * cut_;
+    const NormalBox seen{{grid_.s_min, grid_.t_min}, {grid_.s_max, grid_.t_max}};
     visit_cells(
-        cells_, window_, footprint_.center, cut_, share, [&](const NormalBox& box) { return squared_gap(box); },
+        cells_, window_, footprint_.center, cut_, share, [&](const NormalBox& box) { return squared_gap(box, seen); },
         [&](CellIndex cell, const OffsetBox& box, const NormalBox& normals) {
           if (control.cancelled()) return;
           const double reach = std::sqrt(limit - window_.squared_distance(box)) * roughness_.y;
@@ -167,16 +159,6 @@ class FastExactImage {
     }
     borders.push_back(grid_.rows);
     return borders;
-  }
-
-  // Squared distance between a box of normals and the window, in units of the roughness.
-  [[nodiscard]] double squared_gap(const NormalBox& box) const {
-    const auto gap = [](double lo, double hi, double window_lo, double window_hi) {
-      return std::max({lo - window_hi, window_lo - hi, 0.0});
-    };
-    const double x = gap(box.lo.x, box.hi.x, grid_.s_min, grid_.s_max) / roughness_.x;
-    const double y = gap(box.lo.y, box.hi.y, grid_.t_min, grid_.t_max) / roughness_.y;
-    return x * x + y * y;
   }
 
   void splat_band(std::span<const ListedCell> cells, int first_row, int rows, std::vector<double>& out,
@@ -269,13 +251,6 @@ class FastExactImage {
     }
   }
 
-  const SurfaceCells& cells_;
-  Footprint footprint_;
-  FootprintWindow window_;
-  PndfGrid grid_;
-  double cut_;
-  glm::dvec2 widening_;
-  glm::dvec2 roughness_{0, 0};
   SplatFrame frame_{};
   int stride_;
 };

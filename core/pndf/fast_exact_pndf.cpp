@@ -1,8 +1,6 @@
 #include "core/pndf/fast_exact_pndf.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "core/math/flush_to_zero.h"
@@ -13,21 +11,6 @@
 
 namespace glint {
 namespace {
-
-// Of the double-precision twin's first attempt: where that folds, single normals go there at once.
-constexpr double k_folded_cut = 7.5;
-constexpr double k_least_roughness = 1e-6;  // below it a float does not hold a normal to a deviation
-constexpr double k_most_groups = 1e6;
-
-// Children without cells are told by bounds 32 squared roughnesses away.
-static_assert(FastExactPndf::k_query_cut * FastExactPndf::k_query_cut < 31);
-
-// Of cells that the footprint reaches.
-double group_estimate(const NormalMap& map, const FootprintWindow& window, double cut) {
-  const double width = std::min(NormalBounds::k_group, map.width());
-  const double height = std::min(NormalBounds::k_group, map.height());
-  return (2 * window.reach_x(cut) / width + 2) * (2 * window.reach_y(cut) / height + 2);
-}
 
 ExactSettings with_image_cut(ExactSettings settings) {
   settings.image_cut = std::min(settings.image_cut, FastExactPndf::k_image_cut);
@@ -73,12 +56,17 @@ class FastExactFootprint final : public FootprintPndf {
 }  // namespace
 
 FastExactPndf::FastExactPndf(Surface surface, double intrinsic_roughness, const ExactSettings& settings)
-    : exact_(std::move(surface), intrinsic_roughness, with_image_cut(settings)), bounds_(exact_.cells()) {}
+    : exact_(std::move(surface), intrinsic_roughness, with_image_cut(settings)) {}
+
+const NormalBounds& FastExactPndf::bounds() const {
+  std::call_once(bounds_built_, [this] { bounds_ = std::make_unique<const NormalBounds>(exact_.cells()); });
+  return *bounds_;
+}
 
 PndfModelInfo FastExactPndf::info() const {
   PndfModelInfo info = exact_.info();
   info.guarantee = "exact for its triangles, in single precision within 1e-4";
-  info.bytes += bounds_.bytes();
+  info.bytes += NormalBounds::bytes_for(exact_.cells());
   return info;
 }
 
@@ -86,13 +74,11 @@ FootprintPndf& FastExactPndf::at(const Footprint& footprint, PndfWorkspace& work
   const NormalMap& map = exact_.cells().surface().map();
   const Footprint reduced{reduced_center(map, footprint.center), footprint.covariance};
   const FootprintWindow window(reduced.covariance);
-  if (FoldedFootprint::pays(map, reduced.covariance, k_folded_cut) ||
-      exact_.intrinsic_roughness() < k_least_roughness || !suits_single_precision(window, k_query_cut) ||
-      !can_query(exact_.cells(), window, reduced.center, k_query_cut) ||
-      group_estimate(map, window, k_query_cut) > k_most_groups) {
+  if (FoldedFootprint::pays(map, reduced.covariance, ExactPndf::k_folded_cut) ||
+      !can_query(exact_.cells(), window, reduced.center, exact_.intrinsic_roughness(), k_query_cut)) {
     return exact_.at(footprint, workspace);
   }
-  return workspace.emplace<FastExactFootprint>(exact_, bounds_, reduced, window);
+  return workspace.emplace<FastExactFootprint>(exact_, bounds(), reduced, window);
 }
 
 }  // namespace glint

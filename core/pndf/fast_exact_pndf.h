@@ -3,6 +3,7 @@
 // ExactPndf is the double-precision reference that it is held against.
 
 #include <memory>
+#include <mutex>
 
 #include "core/pndf/exact_pndf.h"
 #include "core/pndf/normal_bounds.h"
@@ -28,8 +29,12 @@ class FastExactPndf final : public PndfModel {
                                                JobControl& control) const override;
 
  private:
+  /// Built when single normals are first asked for: images do without.
+  const NormalBounds& bounds() const;
+
   ExactPndf exact_;
-  NormalBounds bounds_;
+  mutable std::once_flag bounds_built_;
+  mutable std::unique_ptr<const NormalBounds> bounds_;
 };
 
 }  // namespace glint

@@ -23,11 +23,6 @@ struct OffsetBox {
   Interval y;
 };
 
-/// Offsets are whitened in single precision: a footprint so long and so far from the axes that this loses more than
-/// some 5e-5 deviations does not suit it.
-class FootprintWindow;
-bool suits_single_precision(const FootprintWindow& window, double cut);
-
 class FootprintWindow {
  public:
   explicit FootprintWindow(const SymmetricMatrix2& covariance)
@@ -80,6 +75,8 @@ class FootprintWindow {
   double root_;
 };
 
+/// False for a footprint so long and so far from the axes that whitening its offsets in single precision loses more
+/// than some 5e-5 deviations.
 inline bool suits_single_precision(const FootprintWindow& window, double cut) {
   constexpr double k_most = 400;  // deviations that cancel
   return std::abs(window.whitening().w12) * window.reach_y(cut) <= k_most;

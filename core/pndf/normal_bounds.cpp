@@ -4,9 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/math/parallel.h"
-#include "core/surface/catmull_rom.h"
-
 namespace glint {
 namespace {
 
@@ -59,20 +56,22 @@ NormalBounds::NormalBounds(const SurfaceCells& cells)
       tile_rows_(static_cast<int>((cells.axis_v().count + k_tile - 1) / k_tile)),
       tiles_(static_cast<std::size_t>(tile_columns_) * static_cast<std::size_t>(tile_rows_), empty_node()),
       groups_(static_cast<std::size_t>(group_columns()) * static_cast<std::size_t>(group_rows()), empty_node()) {
-  JobControl control;
-  parallel_blocks(static_cast<std::size_t>(tile_rows_), control,
-                  [&](std::size_t b) { build_tile_row(cells, static_cast<int>(b)); });
-  parallel_blocks(static_cast<std::size_t>(group_rows()), control,
-                  [&](std::size_t b) { build_group_row(static_cast<int>(b)); });
+  for (int b = 0; b < tile_rows_; ++b) build_tile_row(cells, b);
+  for (int b = 0; b < group_rows(); ++b) build_group_row(b);
+}
+
+std::size_t NormalBounds::bytes_for(const SurfaceCells& cells) {
+  const auto nodes = [&](int size) {
+    return static_cast<std::size_t>((cells.axis_u().count + size - 1) / size) *
+           static_cast<std::size_t>((cells.axis_v().count + size - 1) / size);
+  };
+  return (nodes(k_tile) + nodes(k_group)) * sizeof(NormalNode);
 }
 
 // Bounds of columns of texels first, four cells wide; then of the rows of them that a block needs.
 void NormalBounds::build_tile_row(const SurfaceCells& cells, int b) {
   const NormalMap& map = cells.surface().map();
-  const Interpolation interpolation = cells.surface().interpolation();
-  const int before = interpolation == Interpolation::smooth ? 1 : 0;
-  const int after = interpolation == Interpolation::smooth ? 2 : interpolation == Interpolation::linear ? 1 : 0;
-  const float margin = interpolation == Interpolation::smooth ? static_cast<float>(k_catmull_rom_overshoot) : 0;
+  const auto [before, after, overshoot] = cells.support();
   const SurfaceCells::Axis u = cells.axis_u();
   const SurfaceCells::Axis v = cells.axis_v();
   const std::int64_t block_columns = (u.count + k_block - 1) / k_block;
@@ -98,7 +97,7 @@ void NormalBounds::build_tile_row(const SurfaceCells& cells, int b) {
   for (int block = 0; block < 4; ++block) {
     if (b * std::int64_t{k_tile} + block * std::int64_t{k_block} >= v.count) break;
     for (std::int64_t column = 0; column < block_columns; ++column) {
-      store(blocks[static_cast<std::size_t>(block * block_columns + column)], margin,
+      store(blocks[static_cast<std::size_t>(block * block_columns + column)], static_cast<float>(overshoot),
             tiles_[index(static_cast<int>(column / 4), b, tile_columns_)],
             static_cast<std::size_t>(std::int64_t{4} * block + column % 4));
     }

@@ -26,7 +26,7 @@ class NormalBounds {
   static constexpr int k_group = 64;
   static constexpr float k_step = 1.0F / 8192;  ///< normals with overshoot reach +-4
 
-  /// Builds on all threads.
+  /// Builds on the calling thread alone, which may hold a lock.
   explicit NormalBounds(const SurfaceCells& cells);
 
   [[nodiscard]] int tile_columns() const { return tile_columns_; }
@@ -36,7 +36,8 @@ class NormalBounds {
   /// The bounds of a tile's blocks, and of a group's tiles.
   [[nodiscard]] const NormalNode& tile(int a, int b) const { return tiles_[index(a, b, tile_columns_)]; }
   [[nodiscard]] const NormalNode& group(int a, int b) const { return groups_[index(a, b, group_columns())]; }
-  [[nodiscard]] std::size_t bytes() const { return (tiles_.size() + groups_.size()) * sizeof(NormalNode); }
+  /// What the pyramid of these cells takes.
+  static std::size_t bytes_for(const SurfaceCells& cells);
 
  private:
   static std::size_t index(int a, int b, int columns) {

@@ -18,7 +18,7 @@
 
 #include "core/math/simd_math-inl.h"
 #include "core/pndf/query_leaf.h"
-#include "core/pndf/splat_triangle.h"
+#include "core/pndf/triangle_rules.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint::HWY_NAMESPACE {
@@ -199,14 +199,14 @@ HWY_INLINE LaneRays make_lane_rays(const WhiteLanes& t, V to_du, V to_dv, V betw
 HWY_INLINE V lane_cubature(const WhiteLanes& t) {
   const Floats d;
   const V unit = hn::Set(d, k_unit);
-  const Cubature& rule = *cubature_for(3.9F);
+  const Cubature& rule = *cubature_for(0.99F * k_longest_cubature * k_longest_cubature);
   V sum = hn::Zero(d);
   for (int k = 0; k < rule.count; ++k) {
     const auto& [a, b, weight] = rule.points[static_cast<std::size_t>(k)];
     const V x = hn::Mul(unit, hn::MulAdd(hn::Set(d, a), t.r11, hn::MulAdd(hn::Set(d, b), t.r12, t.wx)));
     const V y = hn::Mul(unit, hn::MulAdd(hn::Set(d, b), t.r22, t.wy));
     const V exponent = hn::NegMulAdd(x, x, hn::NegMulAdd(y, y, t.residual));
-    sum = hn::MulAdd(hn::Set(d, weight), exp2_of_negative(d, exponent), sum);
+    sum = hn::MulAdd(hn::Set(d, weight), exp2_of_negative(exponent), sum);
   }
   return sum;
 }
@@ -226,8 +226,8 @@ HWY_INLINE V lane_ray(const LaneRays& rays, V residual, V at_apex, V z) {
   const V b = hn::Mul(dot2(rays.apex_x, dx, rays.apex_y, dy), scaled);
   const V c = hn::MulAdd(length, unit, b);
   const V exponent = hn::NegMulAdd(p, p, residual);
-  const V on_line = exp2_of_negative(d, exponent);
-  const V at_end = exp2_of_negative(d, hn::NegMulAdd(c, c, exponent));
+  const V on_line = exp2_of_negative(exponent);
+  const V at_end = exp2_of_negative(hn::NegMulAdd(c, c, exponent));
   const auto starts_before = hn::Lt(b, zero);
   const auto ends_before = hn::Lt(c, zero);
   V between = hn::IfThenZeroElse(ends_before, hn::IfThenElseZero(starts_before, hn::Mul(on_line, hn::Set(d, k_whole))));
@@ -238,9 +238,6 @@ HWY_INLINE V lane_ray(const LaneRays& rays, V residual, V at_apex, V z) {
   const V value = hn::NegMulAdd(b, between, hn::Sub(at_apex, at_end));
   return hn::Mul(hn::Mul(inverse, inverse), hn::Max(value, zero));
 }
-
-// The longest whitened edge, in deviations, that single precision is trusted with.
-inline constexpr float k_longest_edge = 480;
 
 // Rays of many triangles, by field, for sorting by how many a triangle needs.
 class RayStore {
@@ -320,9 +317,8 @@ class RayStore {
     }
     const int panels = (wanted + k_most_panel_nodes - 4) / (k_most_panel_nodes - 3);
     const int nodes = panels == 1 ? wanted : (wanted + panels - 1) / panels + 2;
-    const SplatRules::Rule& rule = splat_rules().rules[static_cast<std::size_t>(nodes)];
+    const RayRules::Rule& rule = ray_rules().rules[static_cast<std::size_t>(nodes)];
     const V at_apex = exp2_of_negative(
-        d,
         hn::NegMulAdd(hn::Set(d, k_unit * k_unit), dot2(rays.apex_x, rays.apex_x, rays.apex_y, rays.apex_y), residual));
     const float share = 1 / static_cast<float>(panels);
     V along = hn::Zero(d);
@@ -360,7 +356,7 @@ inline std::optional<double> sum_triangles(const QueryFrame& frame, const QueryN
     const V factor = hn::Mul(hn::Mul(triangles.leg, triangles.leg), hn::Set(d, frame.scale));
     const auto there =
         hn::And(hn::FirstN(d, count), hn::Gt(white.residual, hn::Set(d, -frame.cut * frame.cut * k_unit * k_unit)));
-    const auto is_short = hn::And(there, hn::Lt(longest, hn::Set(d, 4)));
+    const auto is_short = hn::And(there, hn::Lt(longest, hn::Set(d, k_longest_cubature * k_longest_cubature)));
     if (!hn::AllFalse(d, is_short)) {
       const V used = hn::IfThenElseZero(is_short, hn::Mul(lane_cubature(white), factor));
       total += static_cast<double>(hn::GetLane(hn::SumOfLanes(d, used)));
@@ -371,7 +367,7 @@ inline std::optional<double> sum_triangles(const QueryFrame& frame, const QueryN
     const LaneRays rays = make_lane_rays(white, to_du, to_dv, between, reach);
     const auto live = hn::AndNot(is_beyond_edge(rays, reach), hn::Gt(rays.dz, hn::Zero(d)));
     store.add(rays, white.residual, factor, reach, frame.cut,
-              hn::And(there, hn::And(hn::Ge(longest, hn::Set(d, 4)), live)));
+              hn::And(there, hn::And(hn::Ge(longest, hn::Set(d, k_longest_cubature * k_longest_cubature)), live)));
   }
   return total + store.sum();
 }

@@ -22,8 +22,6 @@ HWY_BEFORE_NAMESPACE();
 namespace glint::HWY_NAMESPACE {
 namespace {
 
-inline constexpr float k_half_log2e = 0.72134752F;
-
 // The QR factorisation, shared by all cells. x, y: of the right angle and of the ends of the legs du and dv, in cells
 // of the image; (ox, oy) is the right angle's offset.
 inline SplatTriangle factorise(const SplatFrame& frame, float ox, float oy, float du, float dv,
@@ -81,12 +79,12 @@ inline SplatTriangle factorise(const SplatFrame& frame, float ox, float oy, floa
   const auto dot = [](const std::array<float, 4>& a, const std::array<float, 4>& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
   };
-  t.e0 = -k_half_log2e * dot(r, r);
-  t.ex = -2 * k_half_log2e * dot(r, gx);
-  t.ey = -2 * k_half_log2e * dot(r, gy);
-  t.exx = -k_half_log2e * dot(gx, gx);
-  t.exy = -2 * k_half_log2e * dot(gx, gy);
-  t.eyy = -k_half_log2e * dot(gy, gy);
+  t.e0 = -k_unit * k_unit * dot(r, r);
+  t.ex = -2 * k_unit * k_unit * dot(r, gx);
+  t.ey = -2 * k_unit * k_unit * dot(r, gy);
+  t.exx = -k_unit * k_unit * dot(gx, gx);
+  t.exy = -2 * k_unit * k_unit * dot(gx, gy);
+  t.eyy = -k_unit * k_unit * dot(gy, gy);
   t.factor = std::abs(du * dv) * frame.scale;
   return t;
 }
@@ -130,7 +128,7 @@ inline Rays make_rays(const SplatTriangle& t, const SplatEdges& edges, SplatScra
   const float wanted = k_nodes_per_deviation * shortest;
   const int panels = static_cast<int>(wanted / (k_most_panel_nodes - 3)) + 1;
   const int nodes = static_cast<int>(std::ceil(wanted / static_cast<float>(panels) + 2));
-  const SplatRules::Rule& rule = splat_rules().rules[static_cast<std::size_t>(nodes)];
+  const RayRules::Rule& rule = ray_rules().rules[static_cast<std::size_t>(nodes)];
   const V unit = hn::Set(d, k_unit);
   for (int panel = 0; panel < panels; ++panel) {
     for (int k = 0; k < nodes; k += k_lanes) {
@@ -169,10 +167,13 @@ inline Rays make_rays(const SplatTriangle& t, const SplatEdges& edges, SplatScra
   return rays;
 }
 
-// Rows [first, last] of the band and for each the columns within `reach` deviations of the triangle.
+// Rows [first_row, last_row] of the band, for each the columns within `reach` deviations of the triangle (in the
+// scratch arrays), and the range of them all.
 struct Reach {
   int first_row;
   int last_row;
+  int first_column;
+  int last_column;
 };
 
 inline Reach find_reach(const SplatFrame& frame, const SplatCell& cell, const SplatBand& band, float reach,
@@ -188,7 +189,8 @@ inline Reach find_reach(const SplatFrame& frame, const SplatCell& cell, const Sp
   const int first = std::max(static_cast<int>(std::ceil(in_band(lowest - rows))), band.first_row() - cell.origin_row);
   const int last = std::min(static_cast<int>(std::floor(in_band(highest + rows))),
                             band.first_row() + band.rows() - 1 - cell.origin_row);
-  if (first > last) return {0, -1};
+  Reach found{first, last, frame.columns, -frame.columns};
+  if (first > last) return found;
 
   const V inverse_kx = hn::Set(d, 1 / frame.kx);
   const V least = hn::Set(d, static_cast<float>(-cell.origin_column));
@@ -196,7 +198,7 @@ inline Reach find_reach(const SplatFrame& frame, const SplatCell& cell, const Sp
   const V squared_reach = hn::Set(d, reach * reach);
   const V zero = hn::Zero(d);
   for (int row = first; row <= last; row += k_lanes) {
-    const V at = hn::Mul(hn::Add(hn::Iota(d, static_cast<float>(row)), zero), hn::Set(d, frame.ky));
+    const V at = hn::Mul(hn::Iota(d, static_cast<float>(row)), hn::Set(d, frame.ky));
     V lo = hn::Set(d, 1e9F);
     V hi = hn::Set(d, -1e9F);
     for (std::size_t v = 0; v < 3; ++v) {
@@ -235,7 +237,13 @@ inline Reach find_reach(const SplatFrame& frame, const SplatCell& cell, const Sp
     hn::StoreU(hn::ConvertTo(di, hn::Min(first_column, hn::Add(most, hn::Set(d, 1)))), di, out.first.data() + index);
     hn::StoreU(hn::ConvertTo(di, hn::Max(last_column, hn::Sub(least, hn::Set(d, 1)))), di, out.last.data() + index);
   }
-  return {first, last};
+  for (int row = first; row <= last; ++row) {
+    const auto index = static_cast<std::size_t>(row - first);
+    if (out.first[index] > out.last[index]) continue;
+    found.first_column = std::min<int>(found.first_column, out.first[index]);
+    found.last_column = std::max<int>(found.last_column, out.last[index]);
+  }
+  return found;
 }
 
 }  // namespace

@@ -6,13 +6,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/pndf/triangle_rules.h"
 #include "core/pndf/triangle_splat.h"
 
 namespace glint {
 
-// Rays across the shortest whitened edge: with two more they are good to 1e-5 of the triangle's scale.
-inline constexpr float k_nodes_per_deviation = 1.1F;
-inline constexpr int k_most_panel_nodes = 24;
+// For whole panels across the longest edge that splat() takes.
 inline constexpr int k_most_nodes = 336;
 
 struct alignas(64) SplatScratch::Arrays {
@@ -21,22 +20,11 @@ struct alignas(64) SplatScratch::Arrays {
   std::array<float, k_most_nodes> p0, px, py, b0, bx, by, length, weight;
   std::vector<std::int32_t> first;  // columns of each row that are in reach
   std::vector<std::int32_t> last;
+  std::vector<float> row_factors;  // of points, by point
+  std::vector<float> column_factors;
 };
 
-// Gauss rules of floats, padded to whole vectors.
-struct SplatRules {
-  struct alignas(64) Rule {
-    std::array<float, 32> nodes{};
-    std::array<float, 32> weights{};
-  };
-  std::array<Rule, k_most_panel_nodes + 1> rules;
-
-  SplatRules();
-};
-
-const SplatRules& splat_rules();
-
-// A triangle after the QR, whitened; x and y count cells from the origin of its surface cell.
+// A triangle after the QR, whitened; x and y count cells from an origin near it.
 struct SplatTriangle {
   float r11, r12, r22;
   float wx0, wxx, wxy;  // the right-angled vertex: (wx0 + wxx x + wxy y, wy0 + wyx x + wyy y)
@@ -55,15 +43,5 @@ inline SplatEdges edges_of(const SplatTriangle& t) {
   const float across = t.r12 - t.r11;
   return {t.r11 * t.r11, t.r12 * t.r12 + t.r22 * t.r22, across * across + t.r22 * t.r22};
 }
-
-// A symmetric rule on the unit simplex.
-struct Cubature {
-  int count;
-  std::array<std::array<float, 3>, 16> points;  // two coordinates, weight (they sum to 1/2)
-};
-
-// The cheapest that is exact to 1e-5 of the peak for a triangle whose longest whitened edge has this squared length;
-// null for one that is too long.
-const Cubature* cubature_for(float squared_longest);
 
 }  // namespace glint

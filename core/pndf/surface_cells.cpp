@@ -109,22 +109,30 @@ const NormalBox& SurfaceCells::tile_box(std::int64_t a, std::int64_t b) const {
   return tiles_[static_cast<std::size_t>(b * tile_columns_ + a)];
 }
 
-// The range of normals over cells [i0, i1] x [j0, j1], from the texels they are made of.
-NormalBox SurfaceCells::texel_box(std::int64_t i0, std::int64_t i1, std::int64_t j0, std::int64_t j1) const {
-  const Interpolation interpolation = surface_.interpolation();
-  const std::int64_t before = interpolation == Interpolation::smooth ? 1 : 0;
-  const std::int64_t after = interpolation == Interpolation::smooth   ? 2
-                             : interpolation == Interpolation::linear ? 1
-                                                                      : 0;
-  NormalBox box = k_empty_box;
-  for (std::int64_t j = j0 - before; j <= j1 + after; ++j) {
-    for (std::int64_t i = i0 - before; i <= i1 + after; ++i) box.include(glm::dvec2(surface_.map().texel(i, j)));
+SurfaceCells::Support SurfaceCells::support() const {
+  switch (surface_.interpolation()) {
+    case Interpolation::constant:
+      return {0, 0, 0};
+    case Interpolation::linear:
+      return {0, 1, 0};
+    case Interpolation::smooth:
+      break;
   }
-  if (interpolation != Interpolation::smooth) return box;
   // The sum of the weights of n_uu + n_vv - n_uv in absolute value is 25 at most: 12.5 ranges to either side.
   const double h = 1.0 / subdivision_;
-  const double share = k_catmull_rom_overshoot + (vertex_shift_ ? h * h / 12 * 12.5 : 0.0);
-  const glm::dvec2 margin = share * (box.hi - box.lo);
+  return {1, 2, k_catmull_rom_overshoot + (vertex_shift_ ? h * h / 12 * 12.5 : 0.0)};
+}
+
+// The range of normals over cells [i0, i1] x [j0, j1], from the texels they are made of.
+NormalBox SurfaceCells::texel_box(std::int64_t i0, std::int64_t i1, std::int64_t j0, std::int64_t j1) const {
+  const Support needed = support();
+  NormalBox box = k_empty_box;
+  for (std::int64_t j = j0 - needed.before; j <= j1 + needed.after; ++j) {
+    for (std::int64_t i = i0 - needed.before; i <= i1 + needed.after; ++i) {
+      box.include(glm::dvec2(surface_.map().texel(i, j)));
+    }
+  }
+  const glm::dvec2 margin = needed.overshoot * (box.hi - box.lo);
   return {box.lo - margin, box.hi + margin};
 }
 

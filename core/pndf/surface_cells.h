@@ -94,6 +94,15 @@ class SurfaceCells {
   [[nodiscard]] Interval column_span(std::int64_t i, double center, double reach) const;
   [[nodiscard]] Interval row_span(std::int64_t j, double center, double reach) const;
 
+  /// What bounds the normals of cells i0 … i1: texels i0 - before … i1 + after, and their range widened by `overshoot`
+  /// of itself on either side; likewise along v.
+  struct Support {
+    int before;
+    int after;
+    double overshoot;
+  };
+  [[nodiscard]] Support support() const;
+
   /// A box that holds all normals of the tile's cells; a and b count tiles from the axes' first cells.
   [[nodiscard]] const NormalBox& tile_box(std::int64_t a, std::int64_t b) const;
   /// A box that holds all normals of one cell, overshoot included.

@@ -1,7 +1,7 @@
 // Splatting one triangle: a QR factorisation shared by all cells, then for tiles of cells either a symmetric cubature
-// (short triangles) or rays from the vertex opposite the shortest whitened edge to Gauss points of that edge, each
-// integrated in closed form. With V the apex relative to a cell, d a ray, b = V.d/|d|, c = b + |d| and p the distance
-// of the ray's line:
+// (short triangles; where they reach many cells, point by point) or rays from the vertex opposite the shortest whitened
+// edge to Gauss points of that edge, each integrated in closed form. With V the apex relative to a cell, d a ray, b =
+// V.d/|d|, c = b + |d| and p the distance of the ray's line:
 //   integral over z in [0, 1] of z exp(-|V + z d|^2 / 2)
 //     = exp(-p^2 / 2) / |d|^2 (exp(-b^2 / 2) - exp(-c^2 / 2) - b sqrt(2 pi) (Phi(c) - Phi(b))).
 
@@ -20,6 +20,7 @@
 #include <hwy/highway.h>
 
 #include "core/math/simd_math-inl.h"
+#include "core/pndf/splat_points-inl.h"
 #include "core/pndf/splat_setup-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -57,7 +58,7 @@ class TriangleSplat {
   bool add(float ox, float oy, float du, float dv, const std::array<float, 3>& x, const std::array<float, 3>& y,
            float room) {
     const Reach reach = find_reach(frame_, cell_, band_, std::sqrt(room), x, y, arrays_);
-    if (reach.first_row > reach.last_row) return true;
+    if (reach.first_row > reach.last_row || reach.first_column > reach.last_column) return true;
     // Counted from a cell near this triangle, for what is far away cancels.
     origin_column_ = static_cast<int>(std::clamp(x[0], static_cast<float>(-cell_.origin_column),
                                                  static_cast<float>(frame_.columns - 1 - cell_.origin_column)));
@@ -71,11 +72,14 @@ class TriangleSplat {
         factorise(frame_, ox, oy, du, dv, from_origin(x, origin_column_), from_origin(y, origin_row_));
     const SplatEdges edges = edges_of(t);
     const float longest = std::max({edges.to_du, edges.to_dv, edges.between});
-    if (!(longest < 4 * k_longest_splat_edge * k_longest_splat_edge) ||
+    if (!(longest < k_longest_edge * k_longest_edge) ||
         std::min({edges.to_du, edges.to_dv, edges.between}) > k_longest_splat_edge * k_longest_splat_edge) {
       return false;
     }
-    if (const Cubature* rule = cubature_for(longest)) {
+    const Cubature* rule = cubature_for(longest);
+    if (rule != nullptr && reach.last_column - reach.first_column + 1 >= k_lanes) {
+      splat_points(frame_, cell_, band_, *rule, {ox, oy, du, dv}, x, y, reach, arrays_);
+    } else if (rule != nullptr) {
       for_tiles(t, reach, [&](V x_at, V y_at, V residual, float, float, float, float) HWY_ATTR {
         return cubature(t, *rule, x_at, y_at, residual);
       });
@@ -128,20 +132,24 @@ class TriangleSplat {
     }
   }
 
+  // k_unit (at + along_x x + along_y y)
+  static HWY_INLINE V in_units(float at, float along_x, float along_y, V x, V y) {
+    const Floats d;
+    const V sum = hn::MulAdd(x, hn::Set(d, along_x), hn::MulAdd(y, hn::Set(d, along_y), hn::Set(d, at)));
+    return hn::Mul(hn::Set(d, k_unit), sum);
+  }
+
   HWY_INLINE V cubature(const SplatTriangle& t, const Cubature& rule, V x, V y, V residual) const {
     const Floats d;
-    const V unit = hn::Set(d, k_unit);
-    const V corner_x =
-        hn::Mul(unit, hn::MulAdd(x, hn::Set(d, t.wxx), hn::MulAdd(y, hn::Set(d, t.wxy), hn::Set(d, t.wx0))));
-    const V corner_y =
-        hn::Mul(unit, hn::MulAdd(x, hn::Set(d, t.wyx), hn::MulAdd(y, hn::Set(d, t.wyy), hn::Set(d, t.wy0))));
+    const V corner_x = in_units(t.wx0, t.wxx, t.wxy, x, y);
+    const V corner_y = in_units(t.wy0, t.wyx, t.wyy, x, y);
     V sum = hn::Zero(d);
     for (int k = 0; k < rule.count; ++k) {
       const auto& [a, b, weight] = rule.points[static_cast<std::size_t>(k)];
       const V px = hn::Add(corner_x, hn::Set(d, k_unit * (a * t.r11 + b * t.r12)));
       const V py = hn::Add(corner_y, hn::Set(d, k_unit * b * t.r22));
       const V exponent = hn::NegMulAdd(px, px, hn::NegMulAdd(py, py, residual));
-      sum = hn::MulAdd(hn::Set(d, weight), exp2_of_negative(d, exponent), sum);
+      sum = hn::MulAdd(hn::Set(d, weight), exp2_of_negative(exponent), sum);
     }
     return hn::Mul(sum, hn::Set(d, t.factor));
   }
@@ -156,12 +164,9 @@ class TriangleSplat {
 
   HWY_INLINE V sum_rays(const SplatTriangle& t, const Rays& rays, V x, V y, V residual, const TileBox& tile) const {
     const Floats d;
-    const V unit = hn::Set(d, k_unit);
-    const V apex_x =
-        hn::Mul(unit, hn::MulAdd(x, hn::Set(d, t.wxx), hn::MulAdd(y, hn::Set(d, t.wxy), hn::Set(d, rays.apex_x))));
-    const V apex_y =
-        hn::Mul(unit, hn::MulAdd(x, hn::Set(d, t.wyx), hn::MulAdd(y, hn::Set(d, t.wyy), hn::Set(d, rays.apex_y))));
-    const V at_apex = exp2_of_negative(d, hn::NegMulAdd(apex_x, apex_x, hn::NegMulAdd(apex_y, apex_y, residual)));
+    const V apex_x = in_units(rays.apex_x, t.wxx, t.wxy, x, y);
+    const V apex_y = in_units(rays.apex_y, t.wyx, t.wyy, x, y);
+    const V at_apex = exp2_of_negative(hn::NegMulAdd(apex_x, apex_x, hn::NegMulAdd(apex_y, apex_y, residual)));
     V sum = hn::Zero(d);
     for (int first = 0; first < rays.count; first += k_lanes) {
       const RayMasks masks = classify(first, tile);
@@ -217,7 +222,7 @@ class TriangleSplat {
     const V exponent = hn::NegMulAdd(p, p, residual);
     const V weight = hn::Set(d, arrays_.weight[k]);
     // sqrt(2 pi) exp(-p^2 / 2) (Phi(c) - Phi(b)), from the tails beyond |b| and |c|.
-    V between = hn::Mul(exp2_of_negative(d, exponent), hn::Set(d, k_whole));
+    V between = hn::Mul(exp2_of_negative(exponent), hn::Set(d, k_whole));
     if (!near_start && !near_end) return hn::Mul(weight, hn::Mul(hn::Neg(b), between));
     V ends = hn::Zero(d);
     const V zero = hn::Zero(d);
@@ -228,7 +233,7 @@ class TriangleSplat {
     if (near_start) between = hn::IfThenElseZero(starts_before, between);
     if (near_end) between = hn::IfThenZeroElse(ends_before, between);
     if (near_end) {
-      const V at_end = exp2_of_negative(d, hn::NegMulAdd(c, c, exponent));
+      const V at_end = exp2_of_negative(hn::NegMulAdd(c, c, exponent));
       const V tail = hn::Mul(at_end, unit_mills(hn::Abs(c)));
       between = hn::Sub(between, hn::IfThenElse(ends_before, hn::Neg(tail), tail));
       ends = hn::Sub(ends, at_end);

@@ -66,7 +66,7 @@ class SplatScratch {
   std::unique_ptr<Arrays> arrays_;
 };
 
-/// The whitened shortest edge, in deviations, up to which splat() takes a triangle.
+/// The shortest whitened edge, in deviations, up to which splat() takes a triangle.
 inline constexpr float k_longest_splat_edge = 240;
 
 /// A triangle too long for single precision, by its sub-cell and which of the sub-cell's two it is.

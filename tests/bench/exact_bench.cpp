@@ -108,11 +108,11 @@ void measure_queries(const std::string& name, const Surface& surface, int n, Jso
       isotropic_footprint({0.5 * surface.map().width() + 0.5, 0.5 * surface.map().height() + 0.5}, sigma);
   const Clock::time_point build = Clock::now();
   const FastExactPndf fast(surface, k_roughness);
+  PndfWorkspace workspace;
+  const FootprintPndf& pndf = fast.at(footprint, workspace);  // builds the pyramid
   const double build_ms = std::chrono::duration<double, std::milli>(Clock::now() - build).count();
   const ExactPndf exact(surface, k_roughness);
-  PndfWorkspace workspace;
   PndfWorkspace other;
-  const FootprintPndf& pndf = fast.at(footprint, workspace);
   RandomStream random(1, 2);
   std::vector<glm::dvec2> s(k_queries);
   for (glm::dvec2& normal : s) normal = pndf.sample(random);

@@ -143,7 +143,11 @@ TEST(PndfCommand, QueriesAreInDoublePrecisionUnlessAskedOtherwise) {
   const std::vector<std::string> words = {"pndf", "--preset", "flat-oracle", "--quiet", "--queries", "-"};
   std::vector<std::string> in_double = words;
   in_double.insert(in_double.end(), {"--precision", "double"});
-  EXPECT_EQ(run_glintscope(words, {"0.01 0\n", {}, 0}).out, run_glintscope(in_double, {"0.01 0\n", {}, 0}).out);
+  std::vector<std::string> in_float = words;
+  in_float.insert(in_float.end(), {"--precision", "float"});
+  const std::string unasked = run_glintscope(words, {"0.01 0\n", {}, 0}).out;
+  EXPECT_EQ(unasked, run_glintscope(in_double, {"0.01 0\n", {}, 0}).out);
+  EXPECT_NE(unasked, run_glintscope(in_float, {"0.01 0\n", {}, 0}).out);
 }
 
 TEST(PndfCommand, TheInstructionSetCanBeForcedAndAnUnknownOneIsNamed) {

@@ -77,19 +77,8 @@ void exact_rows(FieldPage& page, Interpolation now) {
     if (Result<Edit> edit = proposed(page.document, shift, !on)) page.edit = std::move(*edit);
   }
   reset_control(page, shift, row);
-
-  const Parameter& precision = field("exact.precision");
-  const Rectangle below = take_row(page);
-  const std::string reason = is_on(page.document, PndfMethod::exact) ? "" : "The exact method is off.";
-  const auto& names = k_choice_names<ExactPrecision>;
-  const int chosen = page.document.exact_precision == ExactPrecision::single_precision ? 0 : 1;
-  if (const auto picked = switch_of(page.ui, precision.path, {x, below.min.y}, names, names, chosen,
-                                    explain_parameter(precision, reason))) {
-    if (Result<Edit> edit = proposed(page.document, precision, std::string(names[static_cast<std::size_t>(*picked)]))) {
-      page.edit = std::move(*edit);
-    }
-  }
-  reset_control(page, precision, below);
+  field_row(page, field("exact.precision"),
+            {.reason = is_on(page.document, PndfMethod::exact) ? "" : "The exact method is off."});
 }
 
 void binning_rows(FieldPage& page) {

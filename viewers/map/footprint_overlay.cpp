@@ -110,10 +110,6 @@ void draw_copies(const Ui& ui, ImDrawList& list, const FootprintPicture& footpri
 
 }  // namespace
 
-bool overlap(const Rectangle& a, const Rectangle& b) {
-  return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y;
-}
-
 bool overlaps_any(const Rectangle& area, const std::vector<Rectangle>& others) {
   return std::any_of(others.begin(), others.end(), [&](const Rectangle& other) { return overlap(area, other); });
 }

@@ -32,8 +32,7 @@ void draw_footprint_rings(const Ui& ui, ImDrawList& list, const FootprintPicture
 void draw_footprint_handles(const Ui& ui, ImDrawList& list, const FootprintPicture& footprint,
                             std::vector<Rectangle>& taken);
 
-/// Whether two areas share anything.
-bool overlap(const Rectangle& a, const Rectangle& b);
+/// Whether `area` shares anything with one of the others.
 bool overlaps_any(const Rectangle& area, const std::vector<Rectangle>& others);
 
 }  // namespace glint::view

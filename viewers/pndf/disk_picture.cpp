@@ -99,10 +99,6 @@ Rectangle inset_area(const Ui& ui, const DiskPlace& place) {
           {place.square.max.x - margin, place.square.min.y + margin + side}};
 }
 
-bool overlap(const Rectangle& a, const Rectangle& b) {
-  return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y;
-}
-
 void draw_rim_labels(const Ui& ui, ImDrawList& list, const DiskPlace& place) {
   const float half = 0.5F * ui.fonts.small->FontSize;
   const auto label = [&](double radius, std::string_view text) {

@@ -29,6 +29,11 @@ struct Rectangle {
   [[nodiscard]] bool contains(ImVec2 p) const { return p.x >= min.x && p.y >= min.y && p.x < max.x && p.y < max.y; }
 };
 
+/// Whether two areas share anything.
+inline bool overlap(const Rectangle& a, const Rectangle& b) {
+  return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y;
+}
+
 /// Where the widgets of a frame stand, in the order in which they were drawn. Names are those of scripts
 /// ("pndf.scale.log"); controls of a field carry the field's path ("intrinsic_roughness", "footprint.center.x").
 class WidgetRecord {

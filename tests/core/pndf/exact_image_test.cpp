@@ -1,16 +1,15 @@
 // Whole P-NDF images of exact evaluation, held against its single normals.
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
-#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "core/pndf/exact_pndf.h"
 #include "core/pndf/folded_footprint.h"
+#include "tests/core/pndf/cancelling.h"
 #include "tests/core/pndf/reference_quadrature.h"
 #include "tests/core/pndf/test_maps.h"
 
@@ -197,16 +196,7 @@ TEST(ExactImage, IsNothingOnceCancelled) {
   const ExactPndf model(Surface(test::rough_map(64, 64, Wrap::repeat), Interpolation::smooth), 0.01);
   const PndfGrid grid{-0.5, 0.5, -0.5, 0.5, 400, 400};
   const Footprint footprint = isotropic_footprint({3, 4}, 10);
-  JobControl before;
-  before.cancel();
-  EXPECT_FALSE(model.image(footprint, grid, before));
-  JobControl meanwhile;
-  std::thread other([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));  // of a job of many seconds
-    meanwhile.cancel();
-  });
-  EXPECT_FALSE(model.image(footprint, grid, meanwhile));
-  other.join();
+  test::expect_no_image_once_cancelled(model, footprint, grid);
 }
 
 TEST(PndfGrid, RowsRunFromTheLargestTDownwards) {

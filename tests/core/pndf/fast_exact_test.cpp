@@ -1,22 +1,21 @@
 // Exact P-NDF images in single precision, held against double precision.
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "core/math/instruction_set.h"
 #include "core/pndf/fast_exact_pndf.h"
 #include "core/pndf/folded_footprint.h"
 #include "core/pndf/pndf_grid.h"
 #include "core/study/error_metrics.h"
 #include "core/surface/noise.h"
+#include "tests/core/pndf/cancelling.h"
+#include "tests/core/pndf/instruction_set_guard.h"
 #include "tests/core/pndf/test_maps.h"
 
 namespace glint {
@@ -26,16 +25,6 @@ using test::image_of;
 
 constexpr double k_stated = 1e-4;  // relative L1
 constexpr Interpolation k_surfaces[] = {Interpolation::linear, Interpolation::smooth, Interpolation::constant};
-
-// Restores what was chosen.
-class EveryInstructionSet {
- public:
-  ~EveryInstructionSet() { force_instruction_set(before_); }
-  [[nodiscard]] static std::vector<InstructionSet> sets() { return supported_instruction_sets(); }
-
- private:
-  InstructionSet before_ = instruction_set();
-};
 
 std::string fault_in(const PndfImage& image) {
   for (const double density : image.density) {
@@ -162,12 +151,12 @@ TEST(FastExactImage, KeepsItsMassOn128TrianglesPerTexel) {
 }
 
 TEST(FastExactImage, IsTheSameForEveryInstructionSetToTheStatedError) {
-  const EveryInstructionSet guard;
+  const test::InstructionSetGuard guard;
   const Surface surface(test::rough_map(32, 32, Wrap::repeat, 0.1), Interpolation::smooth);
   const Footprint footprint{{4.2, 15.8}, {9, 2, 5}};
   const PndfGrid grid{-0.2, 0.2, -0.2, 0.2, 100, 80};
   const PndfImage exact = image_of(ExactPndf(surface, 0.01), footprint, grid);
-  for (const InstructionSet set : guard.sets()) {
+  for (const InstructionSet set : supported_instruction_sets()) {
     force_instruction_set(set);
     ASSERT_EQ(instruction_set(), set);
     const PndfImage fast = image_of(FastExactPndf(surface, 0.01), footprint, grid);
@@ -178,14 +167,14 @@ TEST(FastExactImage, IsTheSameForEveryInstructionSetToTheStatedError) {
 
 // Among its millions of rays are some that end exactly where a cell is.
 TEST(FastExactImage, OfTheMapOfTheSpeedTablesHasNoCellThatIsOff) {
-  const EveryInstructionSet guard;
+  const test::InstructionSetGuard guard;
   JobControl control;
   Result<NormalMap> noise = generate_noise({}, control);
   ASSERT_TRUE(noise);
   const Surface surface(std::make_shared<const NormalMap>(std::move(*noise)), Interpolation::linear);
   const Footprint footprint = isotropic_footprint({512.5, 512.5}, 50.0 / 6);
   const PndfImage exact = image_of(ExactPndf(surface, 0.005), footprint, {});
-  for (const InstructionSet set : guard.sets()) {
+  for (const InstructionSet set : supported_instruction_sets()) {
     if (set == InstructionSet::scalar) continue;  // ten times slower, the same code
     force_instruction_set(set);
     const PndfErrors errors = compare(image_of(FastExactPndf(surface, 0.005), footprint, {}), exact);
@@ -212,16 +201,21 @@ TEST(FastExactImage, IsNothingOnceCancelled) {
   const FastExactPndf model(Surface(test::rough_map(64, 64, Wrap::repeat), Interpolation::smooth), 0.01);
   const PndfGrid grid{-0.5, 0.5, -0.5, 0.5, 2000, 2000};
   const Footprint footprint = isotropic_footprint({3, 4}, 9);
-  JobControl before;
-  before.cancel();
-  EXPECT_FALSE(model.image(footprint, grid, before));
-  JobControl meanwhile;
-  std::thread other([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));  // of a job of many seconds
-    meanwhile.cancel();
-  });
-  EXPECT_FALSE(model.image(footprint, grid, meanwhile));
-  other.join();
+  test::expect_no_image_once_cancelled(model, footprint, grid);
+}
+
+// Its cells are listed slab by slab.
+TEST(FastExactImage, OfMoreThanAMillionCellsKeepsItsMassForAnyNumberOfThreads) {
+  const Surface surface(test::rough_map(1400, 1400, Wrap::clamp, 0.1), Interpolation::linear);
+  const FastExactPndf model(surface, 0.1);
+  std::vector<std::vector<double>> images;
+  for (const int threads : {1, 2}) {
+    const ThreadLimit limit(threads);
+    const PndfImage image = image_of(model, isotropic_footprint({700, 700}, 130), {-1, 1, -1, 1, 24, 24});
+    EXPECT_NEAR(integral(image), 1, k_stated);
+    images.push_back(image.density);
+  }
+  EXPECT_EQ(images[0], images[1]);
 }
 
 TEST(FastExactPndf, FoldsWideFootprintsInDoublePrecision) {
@@ -232,8 +226,8 @@ TEST(FastExactPndf, FoldsWideFootprintsInDoublePrecision) {
 }
 
 TEST(InstructionSets, CanBeForcedByNameAndGivenBack) {
-  const EveryInstructionSet guard;
-  const std::vector<InstructionSet> sets = guard.sets();
+  const test::InstructionSetGuard guard;
+  const std::vector<InstructionSet> sets = supported_instruction_sets();
   ASSERT_FALSE(sets.empty());
   EXPECT_EQ(sets.front(), InstructionSet::scalar);
   EXPECT_TRUE(std::is_sorted(sets.begin(), sets.end()));

@@ -10,10 +10,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/math/instruction_set.h"
 #include "core/math/random.h"
 #include "core/pndf/footprint_window.h"
 #include "core/pndf/triangle_kernel.h"
+#include "tests/core/pndf/instruction_set_guard.h"
 
 namespace glint {
 namespace {
@@ -113,7 +113,7 @@ Outcome compare(const Case& c) {
 }
 
 TEST(TriangleSplat, IsWithin1e5OfTheTrianglesScaleInEveryInstructionSet) {
-  const InstructionSet before = instruction_set();
+  const test::InstructionSetGuard guard;
   for (const InstructionSet set : supported_instruction_sets()) {
     force_instruction_set(set);
     RandomStream random(11, 0);
@@ -130,7 +130,6 @@ TEST(TriangleSplat, IsWithin1e5OfTheTrianglesScaleInEveryInstructionSet) {
     EXPECT_GT(compared, 500'000) << instruction_set_name(set);
     EXPECT_GT(refused, 0) << instruction_set_name(set);
   }
-  force_instruction_set(before);
 }
 
 }  // namespace

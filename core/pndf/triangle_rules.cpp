@@ -1,4 +1,4 @@
-#include "core/pndf/splat_triangle.h"
+#include "core/pndf/triangle_rules.h"
 
 #include "core/math/quadrature.h"
 
@@ -35,11 +35,10 @@ constexpr Cubature k_one = {1, {{{0.33333333F, 0.33333333F, 0.5F}}}};
 
 constexpr float k_one_up_to = 0.01F;  // longest whitened edge
 constexpr float k_seven_up_to = 0.75F;
-constexpr float k_sixteen_up_to = 2;
 
 }  // namespace
 
-SplatRules::SplatRules() {
+RayRules::RayRules() {
   for (int n = 1; n <= k_most_panel_nodes; ++n) {
     const GaussRule rule = gauss_legendre(n);
     for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k) {
@@ -49,15 +48,15 @@ SplatRules::SplatRules() {
   }
 }
 
-const SplatRules& splat_rules() {
-  static const SplatRules rules;
+const RayRules& ray_rules() {
+  static const RayRules rules;
   return rules;
 }
 
 const Cubature* cubature_for(float squared_longest) {
   if (squared_longest < k_one_up_to * k_one_up_to) return &k_one;
   if (squared_longest < k_seven_up_to * k_seven_up_to) return &k_seven;
-  if (squared_longest < k_sixteen_up_to * k_sixteen_up_to) return &k_sixteen;
+  if (squared_longest < k_longest_cubature * k_longest_cubature) return &k_sixteen;
   return nullptr;
 }
 
