@@ -34,13 +34,21 @@ HWY_INLINE std::uint32_t mask_bits(hn::Mask<Floats> mask) {
   return all;
 }
 
+/// The mask of those bits.
+HWY_INLINE hn::Mask<Floats> mask_of_bits(std::uint32_t bits) {
+  const std::array<std::uint8_t, 8> bytes{static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8U)};
+  return hn::LoadMaskBits(Floats(), bytes.data());
+}
+
 /// 2^x for x <= 0, relative error 2e-7; 2^-100 below -100, so that few products become denormal numbers.
 HWY_INLINE V exp2_of_negative(V x) {
   const Floats d;
   const hn::RebindToSigned<Floats> di;
   x = hn::Max(x, hn::Set(d, -100.0F));
-  const V whole = hn::Round(x);
-  const V f = hn::Sub(x, whole);
+  // Rounds: the lowest bits of the sum are those of the integer.
+  const V shift = hn::Set(d, 12582912.0F);  // 1.5 2^23
+  const V shifted = hn::Add(x, shift);
+  const V f = hn::Sub(x, hn::Sub(shifted, shift));
   // Chebyshev interpolation of degree 5 on [-1/2, 1/2].
   V p = hn::Set(d, 1.3390863e-3F);
   p = hn::MulAdd(p, f, hn::Set(d, 9.6760319e-3F));
@@ -48,7 +56,7 @@ HWY_INLINE V exp2_of_negative(V x) {
   p = hn::MulAdd(p, f, hn::Set(d, 2.4022107e-1F));
   p = hn::MulAdd(p, f, hn::Set(d, 6.9314719e-1F));
   p = hn::MulAdd(p, f, hn::Set(d, 1.0000000755F));
-  const auto exponent = hn::ShiftLeft<23>(hn::ConvertTo(di, whole));
+  const auto exponent = hn::ShiftLeft<23>(hn::BitCast(di, shifted));
   return hn::BitCast(d, hn::Add(hn::BitCast(di, p), exponent));
 }
 
@@ -75,26 +83,34 @@ HWY_INLINE V reciprocal_root(V x) {
 #endif
 }
 
-/// exp(x^2 / 2) times the integral of exp(-t^2 / 2) from x on (the Mills ratio), for x >= 0: relative error 3e-7 up to
-/// x = 6, where the integral is 2e-9, and of the right order beyond.
-HWY_INLINE V mills_ratio(V x) {
+/// The Mills ratio exp(x^2 / 2) (integral of exp(-t^2 / 2) from x on) for x >= 0, with x and its value in units of
+/// 1 / k_unit: within 2.5e-6 up to x = 6, where the integral is 2e-9, and of the right order beyond.
+HWY_INLINE V unit_mills(V x) {
   const Floats d;
-  // Chebyshev interpolation of degree 6 of the ratio over t, in t = 1 / (1 + 0.26 x).
-  const V t = reciprocal(hn::MulAdd(x, hn::Set(d, 0.26F), hn::Set(d, 1.0F)));
-  V p = hn::Set(d, -1.8616809e-1F);
-  p = hn::MulAdd(p, t, hn::Set(d, 5.8520108e-1F));
-  p = hn::MulAdd(p, t, hn::Set(d, -2.8160365e-1F));
-  p = hn::MulAdd(p, t, hn::Set(d, 4.2622123e-1F));
-  p = hn::MulAdd(p, t, hn::Set(d, 1.8141481e-1F));
-  p = hn::MulAdd(p, t, hn::Set(d, 2.6872194e-1F));
-  p = hn::MulAdd(p, t, hn::Set(d, 2.5952654e-1F));
+  // Chebyshev interpolation of degree 5 of the ratio over t, in t = 1 / (1 + 0.3 x / k_unit).
+  const V t = reciprocal(hn::MulAdd(x, hn::Set(d, 0.3F / k_unit), hn::Set(d, 1.0F)));
+  V p = hn::Set(d, -0.24564824F);
+  p = hn::MulAdd(p, t, hn::Set(d, 0.69388414F));
+  p = hn::MulAdd(p, t, hn::Set(d, -0.11724073F));
+  p = hn::MulAdd(p, t, hn::Set(d, 0.46397755F));
+  p = hn::MulAdd(p, t, hn::Set(d, 0.32522441F));
+  p = hn::MulAdd(p, t, hn::Set(d, 0.35546496F));
   return hn::Mul(p, t);
 }
 
-/// mills_ratio in units of 1 / k_unit: of x / k_unit, divided by k_unit.
-HWY_INLINE V unit_mills(V x) {
+/// 1 - x times the Mills ratio, for x >= 0 in those units: within 1e-6, and of the right order beyond 6.
+HWY_INLINE V unit_mills_remainder(V x) {
   const Floats d;
-  return hn::Mul(mills_ratio(hn::Mul(x, hn::Set(d, 1 / k_unit))), hn::Set(d, 1 / k_unit));
+  // Chebyshev interpolation of degree 6 of the value over t^2, in t = 1 / (1 + 0.26 x / k_unit).
+  const V t = reciprocal(hn::MulAdd(x, hn::Set(d, 0.26F / k_unit), hn::Set(d, 1.0F)));
+  V p = hn::Set(d, -0.27891955F);
+  p = hn::MulAdd(p, t, hn::Set(d, 0.67202165F));
+  p = hn::MulAdd(p, t, hn::Set(d, 0.030152207F));
+  p = hn::MulAdd(p, t, hn::Set(d, 0.10225236F));
+  p = hn::MulAdd(p, t, hn::Set(d, 0.30338185F));
+  p = hn::MulAdd(p, t, hn::Set(d, 0.099561283F));
+  p = hn::MulAdd(p, t, hn::Set(d, 0.071549212F));
+  return hn::Mul(p, hn::Mul(t, t));
 }
 /// The whole integral of exp(-x^2 / 2) in those units: sqrt(2 pi) / k_unit.
 inline constexpr float k_whole = 2.5066283F / k_unit;

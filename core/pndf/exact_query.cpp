@@ -5,8 +5,9 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
 
-#include "core/pndf/query_leaf.h"
+#include "core/pndf/query_scratch.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/pndf/exact_query.cpp"
@@ -14,267 +15,275 @@
 #include <hwy/highway.h>
 
 #include "core/math/simd_math-inl.h"
+#include "core/pndf/query_cells-inl.h"
 #include "core/pndf/query_triangles-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint::HWY_NAMESPACE {
 namespace {
 
-// Columns and rows of 16 children.
-alignas(64) constexpr std::array<float, 16> k_columns{0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
-alignas(64) constexpr std::array<float, 16> k_rows{0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+// One bit a child, for each normal of the batch.
+using NearBits = std::array<std::uint32_t, k_query_batch>;
 
-// The rows of one array of a leaf, loaded one by one: what was stored just before in pieces is slow to load as a whole.
-class LeafRows {
- public:
-  explicit HWY_INLINE LeafRows(const std::array<float, 20>& values) : values_(values.data()) {}
-
-  // Those of cells first, first + 1, …, `more` rows further down.
-  [[nodiscard]] HWY_INLINE V lanes(int first, int more) const {
-    const float* from = values_ + first + std::ptrdiff_t{4} * more;
-#if HWY_MAX_BYTES == 64
-    return hn::Combine(Floats(), two(from + 8), two(from));
-#elif HWY_MAX_BYTES == 32
-    return two(from);
-#else
-    return hn::LoadU(Floats(), from);
-#endif
-  }
-
- private:
-#if HWY_MAX_BYTES >= 32
-  static HWY_INLINE hn::Vec<hn::FixedTag<float, 8>> two(const float* from) {
-    const hn::FixedTag<float, 4> row;
-    return hn::Combine(hn::FixedTag<float, 8>(), hn::LoadU(row, from + 4), hn::LoadU(row, from));
-  }
-#endif
-  const float* values_;
-};
-
+// A batch of normals descends the pyramid together: nodes and cells are loaded once, and each normal lists the triangles
+// that it finds.
 class Query {
  public:
-  Query(const QueryFrame& frame, glm::dvec2 s, QueryScratch::Arrays& arrays)
-      : frame_(frame), arrays_(arrays), squared_cut_(frame.cut * frame.cut) {
-    normal_ = {{static_cast<float>(s.x), static_cast<float>(s.y)}, {}};
-    normal_.low = {static_cast<float>(s.x - normal_.high[0]), static_cast<float>(s.y - normal_.high[1])};
-    axes_ = {static_cast<float>(s.x), static_cast<float>(s.y), static_cast<float>(s.x + s.y),
-             static_cast<float>(s.x - s.y)};
+  Query(const QueryFrame& frame, std::span<const glm::dvec2> s, QueryScratch::Arrays& arrays)
+      : frame_(frame), arrays_(arrays), squared_cut_(frame.cut * frame.cut), count_(s.size()) {
+    const float k = frame.inverse_roughness;
+    normal_room_ = 1 / (k * k);
+    for (std::size_t q = 0; q < count_; ++q) {
+      states_[q].normal = QueryNormal(s[q]);
+      states_[q].axes = {static_cast<float>(s[q].x), static_cast<float>(s[q].y), static_cast<float>(s[q].x + s[q].y),
+                         static_cast<float>(s[q].x - s[q].y)};
+      arrays_.triangles[q].count = 0;
+    }
   }
 
-  std::optional<double> density() {
-    arrays_.leaf_count = 0;
-    arrays_.triangle_count = 0;
-    for (const QueryGroup& group : frame_.groups) search_group(group);
-    sum_found();
-    return refused_ ? std::nullopt : std::optional(total_);
+  void densities(std::span<std::optional<double>> out) {
+    const std::uint32_t all = (1U << count_) - 1;
+    for (const QueryGroup& group : frame_.groups) search_group(group, all);
+    for (std::size_t q = 0; q < count_; ++q) {
+      sum_found(q);
+      out[q] = states_[q].refused ? std::nullopt : std::optional(states_[q].total);
+    }
   }
 
  private:
   // So that memory stays bounded, however many triangles matter.
   static constexpr std::size_t k_most_triangles = 4096;
 
-  void sum_found() {
-    if (!refused_) {
-      const std::optional<double> sum = sum_triangles(frame_, normal_, arrays_);
-      refused_ = !sum;
-      total_ += sum.value_or(0);
+  struct State {
+    QueryNormal normal;
+    std::array<float, 4> axes{};
+    double total = 0;
+    bool refused = false;  // a triangle was too long
+  };
+
+  void sum_found(std::size_t q) {
+    State& state = states_[q];
+    if (!state.refused) {
+      const std::optional<double> sum = TriangleSum(frame_, cell_size(), state.normal, arrays_).sum(arrays_.triangles[q]);
+      state.refused = !sum;
+      state.total += sum.value_or(0);
     }
-    arrays_.leaf_count = 0;
-    arrays_.triangle_count = 0;
+    arrays_.triangles[q].count = 0;
   }
 
-  // Calls body(child) for the children of a node that can hold something within the cut. `size` is a child's, texels.
+  [[nodiscard]] float cell_size() const { return is_linear() ? LinearCells::k_size : SmoothSubcells::k_size; }
+  [[nodiscard]] bool is_linear() const {
+    return frame_.cells->surface().interpolation() == Interpolation::linear;
+  }
+
+  // Calls body(bit) for the bits that are set.
   template <class Body>
-  HWY_INLINE void for_near_children(const NormalNode& node, float left, float top, float size, Body body) const {
-    const Floats d;
-    for (int k = 0; k < 16; k += k_lanes) {
-      const auto at = static_cast<std::size_t>(k);
-      const V x = hn::MulAdd(hn::LoadU(d, k_columns.data() + at), hn::Set(d, size), hn::Set(d, left));
-      const V y = hn::MulAdd(hn::LoadU(d, k_rows.data() + at), hn::Set(d, size), hn::Set(d, top));
-      const V room = hn::Sub(hn::Set(d, squared_cut_), squared_offset(x, y, size));
-      std::array<V, 4> gaps{gap(node, 0, at), gap(node, 1, at), gap(node, 2, at), gap(node, 3, at)};
-      const V straight = hn::MulAdd(gaps[0], gaps[0], hn::Mul(gaps[1], gaps[1]));
-      const V diagonal = hn::Mul(hn::Set(d, 0.5F), hn::MulAdd(gaps[2], gaps[2], hn::Mul(gaps[3], gaps[3])));
-      std::uint32_t near = mask_bits(hn::Lt(hn::Max(straight, diagonal), room));
-      while (near != 0) {
-        body(k + __builtin_ctz(near));
-        near &= near - 1;
-      }
-    }
+  static HWY_INLINE void for_bits(std::uint32_t bits, Body body) {
+    for (; bits != 0; bits &= bits - 1) body(static_cast<int>(__builtin_ctz(bits)));
   }
 
-  // Squared distance of the box [x, x + size] x [y, y + size] from the footprint's centre, in deviations, at least.
-  HWY_INLINE V squared_offset(V x, V y, float size) const {
+  // Calls body(child, bits of the normals that it is near to) for each child that is near to any.
+  template <class Body>
+  static HWY_INLINE void for_near(const NearBits& near, std::uint32_t active, Body body) {
+    if ((active & (active - 1)) == 0) {  // a single normal
+      for_bits(near[static_cast<std::size_t>(__builtin_ctz(active))], [&](int child) HWY_ATTR { body(child, active); });
+      return;
+    }
+    std::uint32_t any = 0;
+    for_bits(active, [&](int q) { any |= near[static_cast<std::size_t>(q)]; });
+    for_bits(any, [&](int child) HWY_ATTR {
+      std::uint32_t of_child = 0;
+      for_bits(active, [&](int q) { of_child |= (near[static_cast<std::size_t>(q)] >> child & 1U) << q; });
+      body(child, of_child);
+    });
+  }
+
+  // What distances in the plane leave of the squared cut for cells first, first + 1, … of 4 x 4, in deviations.
+  HWY_INLINE V room(int first, float left, float top, float size) const {
     const Floats d;
+    const auto at = static_cast<std::size_t>(first);
+    const V x = hn::MulAdd(hn::Load(d, k_columns.data() + at), hn::Set(d, size), hn::Set(d, left));
+    const V y = hn::MulAdd(hn::Load(d, k_rows.data() + at), hn::Set(d, size), hn::Set(d, top));
     const V y1 = hn::Add(y, hn::Set(d, size));
-    const V lean = hn::Mul(hn::Set(d, frame_.w12), y);
-    const V lean1 = hn::Mul(hn::Set(d, frame_.w12), y1);
+    const V w12 = hn::Set(d, frame_.w12);
+    const V lean = hn::Mul(w12, y);
+    const V lean1 = hn::Mul(w12, y1);
     const V w11 = hn::Set(d, frame_.w11);
     const V from = hn::MulAdd(w11, x, hn::Min(lean, lean1));
     const V to = hn::MulAdd(w11, hn::Add(x, hn::Set(d, size)), hn::Max(lean, lean1));
     const V w22 = hn::Set(d, frame_.w22);
     const V dx = hn::Max(hn::Zero(d), hn::Max(from, hn::Neg(to)));
     const V dy = hn::Max(hn::Zero(d), hn::Max(hn::Mul(w22, y), hn::Neg(hn::Mul(w22, y1))));
-    return hn::MulAdd(dx, dx, hn::Mul(dy, dy));
+    return hn::NegMulAdd(dx, dx, hn::NegMulAdd(dy, dy, hn::Set(d, squared_cut_)));
   }
 
-  // Of the query from the children's bounds along one axis, in deviations.
-  HWY_INLINE V gap(const NormalNode& node, std::size_t axis, std::size_t at) const {
+  // Calls body(child, normals) for the children of a node that can hold something within the cut. `size` is a child's,
+  // texels.
+  template <class Body>
+  HWY_INLINE void for_near_children(const NormalNode& node, float left, float top, float size, std::uint32_t active,
+                                    Body body) const {
+    const Floats d;
+    NearBits near{};
+    for (int k = 0; k < 16; k += k_lanes) {
+      const V space = hn::Mul(room(k, left, top, size), hn::Set(d, normal_room_));
+      for_bits(active, [&](int q) HWY_ATTR {
+        const std::array<float, 4>& axes = states_[static_cast<std::size_t>(q)].axes;
+        const auto gap = [&](std::size_t axis) HWY_ATTR { return node_gap(node, axis, k, axes[axis]); };
+        const V straight = sum_of_squares(gap(0), gap(1));
+        const V diagonal = hn::Mul(hn::Set(d, 0.5F), sum_of_squares(gap(2), gap(3)));
+        near[static_cast<std::size_t>(q)] |= mask_bits(hn::Lt(hn::Max(straight, diagonal), space)) << k;
+      });
+    }
+    for_near(near, active, body);
+  }
+
+  static HWY_INLINE V sum_of_squares(V a, V b) { return hn::MulAdd(a, a, hn::Mul(b, b)); }
+
+  // Of the query from the children's bounds along one axis.
+  static HWY_INLINE V node_gap(const NormalNode& node, std::size_t axis, int first, float query) {
     const Floats d;
     const hn::RebindToSigned<Floats> wide;
     const hn::Rebind<std::int16_t, Floats> narrow;
     const V step = hn::Set(d, NormalBounds::k_step);
-    const V lo = hn::ConvertTo(d, hn::PromoteTo(wide, hn::LoadU(narrow, node.lo[axis].data() + at)));
-    const V hi = hn::ConvertTo(d, hn::PromoteTo(wide, hn::LoadU(narrow, node.hi[axis].data() + at)));
-    const V q = hn::Set(d, axes_[axis]);
-    const V outside = hn::Max(hn::MulSub(lo, step, q), hn::NegMulAdd(hi, step, q));
-    return hn::Mul(hn::Max(outside, hn::Zero(d)), hn::Set(d, frame_.inverse_roughness));
+    const V lo = hn::ConvertTo(d, hn::PromoteTo(wide, hn::LoadU(narrow, node.lo[axis].data() + first)));
+    const V hi = hn::ConvertTo(d, hn::PromoteTo(wide, hn::LoadU(narrow, node.hi[axis].data() + first)));
+    const V q = hn::Set(d, query);
+    return hn::Max(hn::Max(hn::MulSub(lo, step, q), hn::NegMulAdd(hi, step, q)), hn::Zero(d));
   }
 
-  void search_group(const QueryGroup& group) {
-    for_near_children(*group.bounds, group.left, group.top, NormalBounds::k_tile, [&](int child) HWY_ATTR {
-      const int column = child % 4;
-      const int row = child / 4;
-      search_tile(group.tile_column + column, group.tile_row + row,
-                  group.left + static_cast<float>(column * NormalBounds::k_tile),
-                  group.top + static_cast<float>(row * NormalBounds::k_tile));
-    });
+  void search_group(const QueryGroup& group, std::uint32_t active) {
+    for_near_children(*group.bounds, group.left, group.top, NormalBounds::k_tile, active,
+                      [&](int child, std::uint32_t normals) HWY_ATTR {
+                        const int column = child % 4;
+                        const int row = child / 4;
+                        search_tile(group.tile_column + column, group.tile_row + row,
+                                    group.left + static_cast<float>(column * NormalBounds::k_tile),
+                                    group.top + static_cast<float>(row * NormalBounds::k_tile), normals);
+                      });
   }
 
-  void search_tile(int column, int row, float left, float top) {
-    for_near_children(frame_.bounds->tile(column, row), left, top, NormalBounds::k_block, [&](int child) HWY_ATTR {
-      const int x = child % 4 * NormalBounds::k_block;
-      const int y = child / 4 * NormalBounds::k_block;
-      search_block(column * NormalBounds::k_tile + x, row * NormalBounds::k_tile + y, left + static_cast<float>(x),
-                   top + static_cast<float>(y));
-    });
+  void search_tile(int column, int row, float left, float top, std::uint32_t active) {
+    for_near_children(frame_.bounds->tile(column, row), left, top, NormalBounds::k_block, active,
+                      [&](int child, std::uint32_t normals) HWY_ATTR {
+                        const int x = child % 4 * NormalBounds::k_block;
+                        const int y = child / 4 * NormalBounds::k_block;
+                        search_block(column * NormalBounds::k_tile + x, row * NormalBounds::k_tile + y,
+                                     left + static_cast<float>(x), top + static_cast<float>(y), normals);
+                      });
   }
 
-  void search_block(int column, int row, float left, float top) {
-    if (arrays_.triangle_count > k_most_triangles) sum_found();
-    if (refused_) return;
+  // A block of 4 x 4 cells, fewer at the end of a map that does not divide by 4.
+  void search_block(int column, int row, float left, float top, std::uint32_t active) {
     const SurfaceCells& cells = *frame_.cells;
-    const int columns = std::min<int>(4, static_cast<int>(cells.axis_u().count) - column);
-    const int rows = std::min<int>(4, static_cast<int>(cells.axis_v().count) - row);
-    const CellIndex first{cells.axis_u().first + column, cells.axis_v().first + row};
-    if (cells.surface().interpolation() == Interpolation::linear) {
-      QueryLeaf& leaf = arrays_.add_leaf();
-      fill_linear_leaf(cells.surface().map(), first, leaf);
-      leaf.left = left;
-      leaf.top = top;
-      leaf.size = 1;
-      list_triangles(columns, rows);
+    const NormalMap& map = cells.surface().map();
+    const std::int64_t i = cells.axis_u().first + column;
+    const std::int64_t j = cells.axis_v().first + row;
+    const std::uint32_t there = cells_there(static_cast<int>(cells.axis_u().count) - column,
+                                            static_cast<int>(cells.axis_v().count) - row);
+    if (is_linear()) {
+      const TexelWindow texels(map, i, j, 5, 5);
+      list_triangles(LinearCells(texels), there, left, top, active);
       return;
     }
-    std::array<std::array<glm::vec2, 7>, 7> texels;
-    load_smooth_block(cells.surface().map(), first, texels);
-    std::uint32_t near = near_smooth_cells(texels, left, top);
-    for (; near != 0; near &= near - 1) {
-      const int x = __builtin_ctz(near) % 4;
-      const int y = __builtin_ctz(near) / 4;
-      if (x >= columns || y >= rows) continue;
-      QueryLeaf& leaf = arrays_.add_leaf();
-      fill_smooth_leaf(texels, x, y, leaf);
-      leaf.left = left + static_cast<float>(x);
-      leaf.top = top + static_cast<float>(y);
-      leaf.size = 0.25F;
-      list_triangles(4, 4);
-    }
+    const TexelWindow texels(map, i - 1, j - 1, 7, 7);
+    NearBits near{};
+    find_near_patches(SmoothBounds(texels), left, top, active, near);
+    for_bits(active, [&](int q) { near[static_cast<std::size_t>(q)] &= there; });
+    for_near(near, active, [&](int cell, std::uint32_t normals) HWY_ATTR {
+      const int x = cell % 4;
+      const int y = cell / 4;
+      list_triangles(SmoothSubcells(texels, x, y), 0xFFFF, left + static_cast<float>(x), top + static_cast<float>(y),
+                     normals);
+    });
   }
 
-  // Which of the 16 cells of a block of the smooth surface can matter.
-  HWY_INLINE std::uint32_t near_smooth_cells(const std::array<std::array<glm::vec2, 7>, 7>& texels, float left,
-                                             float top) const {
+  static std::uint32_t cells_there(int columns, int rows) {
+    if (columns >= 4 && rows >= 4) return 0xFFFF;
+    std::uint32_t bits = 0;
+    for (int k = 0; k < 16; ++k) bits |= (k % 4 < columns && k / 4 < rows ? 1U : 0U) << k;
+    return bits;
+  }
+
+  HWY_INLINE void find_near_patches(const SmoothBounds& bounds, float left, float top, std::uint32_t active,
+                                    NearBits& near) const {
     const Floats d;
-    CellBoxes boxes;
-    bound_smooth_cells(texels, boxes);
-    std::uint32_t near = 0;
     for (int k = 0; k < 16; k += k_lanes) {
-      const auto at = static_cast<std::size_t>(k);
-      const V x = hn::Add(hn::LoadU(d, k_columns.data() + at), hn::Set(d, left));
-      const V y = hn::Add(hn::LoadU(d, k_rows.data() + at), hn::Set(d, top));
-      const auto outside = [&](const auto& lo, const auto& hi, float q) HWY_ATTR {
-        const V query = hn::Set(d, q);
-        const V gap =
-            hn::Max(hn::Sub(hn::LoadU(d, lo.data() + at), query), hn::Sub(query, hn::LoadU(d, hi.data() + at)));
-        return hn::Mul(hn::Max(gap, hn::Zero(d)), hn::Set(d, frame_.inverse_roughness));
-      };
-      const V gap_x = outside(boxes.x_lo, boxes.x_hi, axes_[0]);
-      const V gap_y = outside(boxes.y_lo, boxes.y_hi, axes_[1]);
-      const V squared = hn::MulAdd(gap_x, gap_x, hn::MulAdd(gap_y, gap_y, squared_offset(x, y, 1)));
-      near |= mask_bits(hn::Lt(squared, hn::Set(d, squared_cut_))) << k;
+      const V space = hn::Mul(room(k, left, top, 1), hn::Set(d, normal_room_));
+      std::array<V, 2> lo;
+      std::array<V, 2> hi;
+      for (std::size_t axis = 0; axis < 2; ++axis) bounds.range(k, axis, lo[axis], hi[axis]);
+      for_bits(active, [&](int q) HWY_ATTR {
+        const std::array<float, 4>& axes = states_[static_cast<std::size_t>(q)].axes;
+        const auto gap = [&](std::size_t axis) HWY_ATTR {
+          const V query = hn::Set(d, axes[axis]);
+          return hn::Max(hn::Max(hn::Sub(lo[axis], query), hn::Sub(query, hi[axis])), hn::Zero(d));
+        };
+        near[static_cast<std::size_t>(q)] |= mask_bits(hn::Lt(sum_of_squares(gap(0), gap(1)), space)) << k;
+      });
     }
-    return near;
   }
 
-  // Those of the last leaf's 32 triangles that can matter.
-  void list_triangles(int columns, int rows) {
+  // Those triangles of 4 x 4 cells that can matter, of the cells whose bits are set.
+  template <class Cells>
+  HWY_INLINE void list_triangles(const Cells& cells, std::uint32_t there, float left, float top, std::uint32_t active) {
     const Floats d;
-    const QueryLeaf& leaf = arrays_.leaves[arrays_.leaf_count - 1];
-    const LeafRows x0(leaf.x0);
-    const LeafRows x1(leaf.x1);
-    const LeafRows y0(leaf.y0);
-    const LeafRows y1(leaf.y1);
-    const auto base = static_cast<std::int32_t>(arrays_.leaf_count - 1) * 32;
-    const bool whole = columns == 4 && rows == 4;
+    const V size = hn::Set(d, Cells::k_size);
     for (int k = 0; k < 16; k += k_lanes) {
-      const auto at = static_cast<std::size_t>(k);
-      const V column = hn::LoadU(d, k_columns.data() + at);
-      const V row = hn::LoadU(d, k_rows.data() + at);
-      const V x = hn::MulAdd(column, hn::Set(d, leaf.size), hn::Set(d, leaf.left));
-      const V y = hn::MulAdd(row, hn::Set(d, leaf.size), hn::Set(d, leaf.top));
-      const V room = hn::Sub(hn::Set(d, squared_cut_), squared_offset(x, y, leaf.size));
-      const auto outside = [&](V a, V b, V c, float q) HWY_ATTR {
-        const V query = hn::Set(d, q);
-        const V gap = hn::Max(hn::Sub(hn::Min(a, hn::Min(b, c)), query), hn::Sub(query, hn::Max(a, hn::Max(b, c))));
-        return hn::Mul(hn::Max(gap, hn::Zero(d)), hn::Set(d, frame_.inverse_roughness));
-      };
-      const V right_x = x1.lanes(k, 0);
-      const V right_y = y1.lanes(k, 0);
-      const V below_x = x0.lanes(k, 1);
-      const V below_y = y0.lanes(k, 1);
-      const V upper_x = outside(x0.lanes(k, 0), right_x, below_x, axes_[0]);
-      const V upper_y = outside(y0.lanes(k, 0), right_y, below_y, axes_[1]);
-      const V lower_x = outside(x1.lanes(k, 1), right_x, below_x, axes_[0]);
-      const V lower_y = outside(y1.lanes(k, 1), right_y, below_y, axes_[1]);
-      auto upper = hn::Lt(hn::MulAdd(upper_x, upper_x, hn::Mul(upper_y, upper_y)), room);
-      auto lower = hn::Lt(hn::MulAdd(lower_x, lower_x, hn::Mul(lower_y, lower_y)), room);
-      if (!whole) {
-        const auto there = hn::And(hn::Lt(column, hn::Set(d, static_cast<float>(columns))),
-                                   hn::Lt(row, hn::Set(d, static_cast<float>(rows))));
-        upper = hn::And(upper, there);
-        lower = hn::And(lower, there);
-      }
-      push(upper, base + k);
-      push(lower, base + 16 + k);
+      const CornerLanes corners = cells.corners(k);
+      const V space = hn::Mul(room(k, left, top, Cells::k_size), hn::Set(d, normal_room_));
+      const V x = hn::MulAdd(hn::Load(d, k_columns.data() + k), size, hn::Set(d, left));
+      const V y = hn::MulAdd(hn::Load(d, k_rows.data() + k), size, hn::Set(d, top));
+      for_bits(active, [&](int q) HWY_ATTR {
+        const QueryNormal& normal = states_[static_cast<std::size_t>(q)].normal;
+        std::array<V, 4> s;
+        std::array<V, 4> t;
+        for (std::size_t c = 0; c < 4; ++c) {
+          s[c] = hn::Sub(corners.x[c], hn::Set(d, normal.high[0]));
+          t[c] = hn::Sub(corners.y[c], hn::Set(d, normal.high[1]));
+        }
+        const auto is_near = [&](std::size_t corner) HWY_ATTR {
+          return hn::Lt(sum_of_squares(gap(s[corner], s[1], s[2]), gap(t[corner], t[1], t[2])), space);
+        };
+        const std::uint32_t bits = there >> k;
+        TriangleList& list = arrays_.triangles[static_cast<std::size_t>(q)];
+        push(is_near(0), bits, {x, y, s[0], t[0], s[1], t[1], s[2], t[2]}, list);
+        push(is_near(3), bits, {hn::Neg(hn::Add(x, size)), hn::Neg(hn::Add(y, size)), s[3], t[3], s[2], t[2], s[1], t[1]},
+             list);
+        if (list.count > k_most_triangles) sum_found(static_cast<std::size_t>(q));
+      });
     }
   }
 
-  // Appends first + lane for the lanes of the mask.
-  HWY_INLINE void push(hn::Mask<Floats> mask, std::int32_t first) {
+  // Of 0 from the range of three.
+  static HWY_INLINE V gap(V a, V b, V c) {
+    const V lo = hn::Min(a, hn::Min(b, c));
+    const V hi = hn::Max(a, hn::Max(b, c));
+    return hn::Max(hn::Max(lo, hn::Neg(hi)), hn::Zero(Floats()));
+  }
+
+  // Appends the lanes whose bits are set in both.
+  static HWY_INLINE void push(hn::Mask<Floats> near, std::uint32_t there, const std::array<V, TriangleList::k_fields>& of,
+                              TriangleList& list) {
     const Floats d;
-    const hn::RebindToSigned<Floats> di;
-    if (arrays_.triangles.size() < arrays_.triangle_count + static_cast<std::size_t>(k_lanes)) {
-      arrays_.triangles.resize(2 * arrays_.triangles.size() + static_cast<std::size_t>(k_lanes));
-    }
-    hn::StoreU(hn::Compress(hn::Iota(di, first), hn::RebindMask(di, mask)), di,
-               arrays_.triangles.data() + arrays_.triangle_count);
-    arrays_.triangle_count += hn::CountTrue(d, mask);
+    if (there != 0xFFFF) near = hn::And(near, mask_of_bits(there));
+    if (hn::AllFalse(d, near)) return;
+    list.reserve(static_cast<std::size_t>(k_lanes));
+    append(of, near, list);
   }
 
   const QueryFrame& frame_;
   QueryScratch::Arrays& arrays_;
   float squared_cut_;
-  double total_ = 0;
-  bool refused_ = false;  // a triangle was too long
-  QueryNormal normal_{};
-  std::array<float, 4> axes_{};
+  float normal_room_;  // squared roughness
+  std::size_t count_;
+  std::array<State, k_query_batch> states_{};
 };
 
 }  // namespace
 
-std::optional<double> query(const QueryFrame& frame, glm::dvec2 s, QueryScratch& scratch) {
-  return Query(frame, s, scratch.arrays()).density();
+void query(const QueryFrame& frame, std::span<const glm::dvec2> s, QueryScratch& scratch,
+           std::span<std::optional<double>> out) {
+  Query(frame, s, scratch.arrays()).densities(out);
 }
 
 }  // namespace glint::HWY_NAMESPACE
@@ -289,8 +298,9 @@ HWY_EXPORT(query);
 QueryScratch::QueryScratch() : arrays_(std::make_unique<Arrays>()) {}
 QueryScratch::~QueryScratch() = default;
 
-std::optional<double> exact_query(const QueryFrame& frame, glm::dvec2 s, QueryScratch& scratch) {
-  return HWY_DYNAMIC_DISPATCH(query)(frame, s, scratch);
+void exact_query(const QueryFrame& frame, std::span<const glm::dvec2> s, QueryScratch& scratch,
+                 std::span<std::optional<double>> out) {
+  HWY_DYNAMIC_DISPATCH(query)(frame, s, scratch, out);
 }
 
 }  // namespace glint

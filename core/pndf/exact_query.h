@@ -1,11 +1,12 @@
 #pragma once
 // D_P(s) at single normals in single precision, with vector instructions: the pyramid of boxes finds the cells that
-// matter, 16 children a test, and their triangles are integrated a vector at a time. The kernel of FastExactPndf::at.
+// matter, 16 children a test, and their triangles are integrated a vector at a time. Several normals of one footprint
+// share the search. The kernel of FastExactPndf::at.
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -15,6 +16,9 @@
 #include "core/pndf/surface_cells.h"
 
 namespace glint {
+
+/// Normals that are searched together, at most.
+inline constexpr std::size_t k_query_batch = 8;
 
 /// A group of cells that the footprint reaches, in some period of the map.
 struct QueryGroup {
@@ -59,7 +63,9 @@ bool can_query(const SurfaceCells& cells, const FootprintWindow& window, glm::dv
 QueryFrame make_query_frame(const SurfaceCells& cells, const NormalBounds& bounds, const FootprintWindow& window,
                             glm::dvec2 center, double roughness, double cut);
 
-/// D_P(s); never negative, NaN or infinite. Nothing where a triangle is too long for single precision.
-std::optional<double> exact_query(const QueryFrame& frame, glm::dvec2 s, QueryScratch& scratch);
+/// D_P(s[k]) into out[k], of at most k_query_batch normals; never negative, NaN or infinite, and the same whichever normals are asked together. Nothing
+/// where a triangle is too long for single precision.
+void exact_query(const QueryFrame& frame, std::span<const glm::dvec2> s, QueryScratch& scratch,
+                 std::span<std::optional<double>> out);
 
 }  // namespace glint

@@ -20,6 +20,7 @@
 #include <hwy/highway.h>
 
 #include "core/math/simd_math-inl.h"
+#include "core/pndf/ray_integral-inl.h"
 #include "core/pndf/splat_points-inl.h"
 #include "core/pndf/splat_setup-inl.h"
 
@@ -221,29 +222,10 @@ class TriangleSplat {
     const V b = affine(arrays_.b0, arrays_.bx, arrays_.by);
     const V exponent = hn::NegMulAdd(p, p, residual);
     const V weight = hn::Set(d, arrays_.weight[k]);
-    // sqrt(2 pi) exp(-p^2 / 2) (Phi(c) - Phi(b)), from the tails beyond |b| and |c|.
-    V between = hn::Mul(exp2_of_negative(exponent), hn::Set(d, k_whole));
-    if (!near_start && !near_end) return hn::Mul(weight, hn::Mul(hn::Neg(b), between));
-    V ends = hn::Zero(d);
-    const V zero = hn::Zero(d);
+    const V on_line = exp2_of_negative(exponent);
     const V c = hn::Add(b, hn::Set(d, arrays_.length[k]));
-    // Signs and the choice between them by the same masks: b or c may be zero.
-    const auto starts_before = hn::Lt(b, zero);
-    const auto ends_before = hn::Lt(c, zero);
-    if (near_start) between = hn::IfThenElseZero(starts_before, between);
-    if (near_end) between = hn::IfThenZeroElse(ends_before, between);
-    if (near_end) {
-      const V at_end = exp2_of_negative(hn::NegMulAdd(c, c, exponent));
-      const V tail = hn::Mul(at_end, unit_mills(hn::Abs(c)));
-      between = hn::Sub(between, hn::IfThenElse(ends_before, hn::Neg(tail), tail));
-      ends = hn::Sub(ends, at_end);
-    }
-    if (near_start) {
-      const V tail = hn::Mul(at_apex, unit_mills(hn::Abs(b)));
-      between = hn::Add(between, hn::IfThenElse(starts_before, hn::Neg(tail), tail));
-      ends = hn::Add(ends, at_apex);
-    }
-    return hn::Mul(weight, hn::Max(hn::NegMulAdd(b, between, ends), zero));
+    const V at_end = near_end ? exp2_of_negative(hn::NegMulAdd(c, c, exponent)) : hn::Zero(d);
+    return hn::Mul(weight, ray_integral<near_start, near_end>(b, c, on_line, at_apex, at_end));
   }
 
   const SplatFrame& frame_;
