@@ -1,9 +1,18 @@
 #include "core/pndf/pndf_grid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
 namespace glint {
+
+std::optional<glm::ivec2> PndfGrid::cell_at(glm::dvec2 s) const {
+  const bool inside = s.x >= s_min && s.x <= s_max && s.y >= t_min && s.y <= t_max;
+  if (!inside) return std::nullopt;
+  const int column = static_cast<int>((s.x - s_min) / pitch().x);
+  const int row = static_cast<int>((t_max - s.y) / pitch().y);
+  return glm::ivec2{std::min(column, columns - 1), std::min(row, rows - 1)};
+}
 
 std::optional<std::string> grid_fault(const PndfGrid& grid) {
   for (const double value : {grid.s_min, grid.s_max, grid.t_min, grid.t_max}) {

@@ -31,6 +31,9 @@ struct PndfGrid {
     return {s_min + (column + 0.5) * pitch().x, t_max - (row + 0.5) * pitch().y};
   }
 
+  /// Column and row of the cell that holds s, if it lies in the window.
+  [[nodiscard]] std::optional<glm::ivec2> cell_at(glm::dvec2 s) const;
+
   friend bool operator==(const PndfGrid&, const PndfGrid&) = default;
 };
 

@@ -7,13 +7,18 @@
 namespace glint::gui {
 
 DocumentJobs::DocumentJobs(std::function<void()> wake)
-    : wake_(std::move(wake)), open_(wake_, errors_), surface_(wake_, errors_), pndf_(wake_, errors_) {}
+    : wake_(std::move(wake)),
+      open_(wake_, errors_),
+      surface_(wake_, errors_),
+      pndf_(wake_, errors_),
+      check_(wake_, errors_) {}
 
 DocumentJobs::~DocumentJobs() {
   // All of them, before the first is waited for.
   open_.cancel();
   surface_.cancel();
   pndf_.cancel();
+  check_.cancel();
 }
 
 void DocumentJobs::update(const Document& document, std::uint64_t revision) {
@@ -72,7 +77,7 @@ JobStatus DocumentJobs::status() const {
 }
 
 bool DocumentJobs::idle() const {
-  return open_.idle() && surface_.idle() && pndf_.idle();
+  return open_.idle() && surface_.idle() && pndf_.idle() && check_.idle();
 }
 
 void DocumentJobs::cancel() {
@@ -80,6 +85,7 @@ void DocumentJobs::cancel() {
   open_.cancel();
   surface_.cancel();
   pndf_.cancel();
+  check_.cancel();
 }
 
 void DocumentJobs::begin_again() {

@@ -20,6 +20,7 @@
 #include "gui/jobs/latest_job.h"
 #include "gui/jobs/open_jobs.h"
 #include "gui/jobs/pndf_jobs.h"
+#include "gui/jobs/precision_check.h"
 #include "gui/jobs/surface_jobs.h"
 #include "viewers/pndf/pndf_results.h"
 
@@ -57,6 +58,10 @@ class DocumentJobs {
   /// Why the surface in use is not the document's.
   [[nodiscard]] const std::optional<Error>& surface_error() const { return surface_.error(); }
 
+  /// Compares the exact picture with double precision at a normal, in the background.
+  void check_precision(glm::dvec2 s) { check_.request(results(), s); }
+  std::optional<PrecisionReading> take_precision_reading() { return check_.take(); }
+
   [[nodiscard]] JobStatus status() const;
   /// Nothing runs or waits: all that can be had for the document of the last update() is there, unless cancelled(). A
   /// file that was opened waits to be taken.
@@ -85,6 +90,7 @@ class DocumentJobs {
   OpenJobs open_;
   SurfaceJobs surface_;
   PndfJobs pndf_;
+  PrecisionCheck check_;
 };
 
 }  // namespace glint::gui

@@ -1,12 +1,14 @@
 #include "gui/memory/workbench.h"
 
 #include <algorithm>
+#include <cmath>
 #include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "core/document/parameter.h"
+#include "viewers/widgets/number_text.h"
 
 namespace glint::gui {
 namespace {
@@ -47,6 +49,7 @@ void Workbench::update(double seconds) {
   take_opened();
   take_errors();
   jobs_.update(document(), editor_.revision());
+  take_precision_reading();
   autosave(seconds);
 }
 
@@ -112,6 +115,19 @@ void Workbench::take_errors() {
     }
     messages_.post_error(error);
   }
+}
+
+void Workbench::take_precision_reading() {
+  const std::optional<PrecisionReading> reading = jobs_.take_precision_reading();
+  if (!reading) return;
+  const double difference = reading->single_precision - reading->double_precision;
+  messages_.post(
+      {Message::Kind::info,
+       fmt::format("Exact at s {}, t {}: {:.8g} in single and {:.8g} in double precision; they differ by {:.1e} of the "
+                   "largest density.",
+                   view::number_text(reading->s.x), view::number_text(reading->s.y), reading->single_precision,
+                   reading->double_precision, reading->largest > 0 ? std::abs(difference) / reading->largest : 0.0),
+       {}});
 }
 
 bool Workbench::can_save_in_place() const {

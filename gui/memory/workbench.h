@@ -88,6 +88,7 @@ class Workbench {
  private:
   void take_opened();
   void take_errors();
+  void take_precision_reading();
   void autosave(double seconds);
 
   Places places_;

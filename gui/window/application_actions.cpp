@@ -329,6 +329,16 @@ class Registrar {
       s->separator_before = !which;
       done();
     };
+    action =
+        &add("Compute", "compute.check_precision", "Check against double precision", plain(Key::c),
+             "Computes the exact density at the crosshair in double precision and says how far the picture is off.",
+             [this] { bench().jobs().check_precision(app_.panels().pndf().reading()->s); });
+    action->reason_disabled = [this]() -> std::string {
+      if (!app_.panels().pndf().reading()) return "There is no crosshair: click in a P-NDF first";
+      return PrecisionCheck::reason_against(bench().jobs().results().get());
+    };
+    action->separator_before = true;
+    done();
     surface("compute.automatic", "Surface: automatic", Key::digit_1, std::nullopt);
     surface("compute.smooth", "Surface: smooth, 32 triangles", Key::digit_2, Interpolation::smooth);
     surface("compute.linear", "Surface: linear, 2 triangles", Key::digit_3, Interpolation::linear);

@@ -1,8 +1,9 @@
 // Exact evaluation in single precision: time and error against double precision on the map of the speed tables and on
 // any given, for each instruction set. Images for footprints of N = 10, 50 and 200 texels (sigma = N / 6) on one and
-// two threads, interleaved; single queries, one by one on one thread, at normals drawn from D_P.
+// two threads, interleaved, beside double precision, binning and the method of 2014 as published; single queries, one
+// by one and by eight on one thread, at normals drawn from D_P; and how long the pyramid of a 2048^2 map takes.
 //
-//   bench_exact [--quick] [--json FILE] [MAP...]
+//   bench_exact [--quick] [--json FILE] [--plot FILE.svg] [MAP...]
 
 #include <algorithm>
 #include <chrono>
@@ -20,10 +21,13 @@
 #include "core/image/normal_map_reader.h"
 #include "core/math/instruction_set.h"
 #include "core/math/parallel.h"
+#include "core/pndf/binned_pndf.h"
 #include "core/pndf/fast_exact_pndf.h"
 #include "core/study/error_metrics.h"
 #include "core/study/study.h"
 #include "core/surface/noise.h"
+#include "tests/bench/six_quadratics.h"
+#include "tests/bench/svg_plot.h"
 
 namespace {
 
@@ -60,7 +64,13 @@ std::vector<Setting> settings() {
   return all;
 }
 
-void measure(const std::string& name, const Surface& surface, int n, int runs, Json& out) {
+void print_image_row(const std::string& name, int n, const std::string& what, int threads, double median_ms,
+                     double least_ms, const PndfErrors& errors) {
+  fmt::print("{:<34} {:>4} {:>14} {:>8} {:>10.3f} {:>10.3f} {:>11.2e} {:>11.2e}\n", name, n, what, threads, median_ms,
+             least_ms, errors.relative_l1, errors.peak_error);
+}
+
+void measure(const std::string& name, const Surface& surface, int n, int runs, Json& out, bench::PlotPanel& panel) {
   const double sigma = n / 6.0;
   const Footprint footprint =
       isotropic_footprint({0.5 * surface.map().width() + 0.5, 0.5 * surface.map().height() + 0.5}, sigma);
@@ -77,28 +87,44 @@ void measure(const std::string& name, const Surface& surface, int n, int runs, J
       if (run > 0) setting.milliseconds.push_back(spent);
     }
   }
+  const auto add = [&](const std::string& what, int threads, const std::vector<double>& times,
+                       const PndfErrors& errors) {
+    const double spent = median(times);
+    print_image_row(name, n, what, threads, spent, *std::min_element(times.begin(), times.end()), errors);
+    const double triangles = 2 * 3.14159265 * sigma * sigma * FastExactPndf::k_image_cut * FastExactPndf::k_image_cut;
+    out.push_back({{"map", name},
+                   {"n", n},
+                   {"what", what},
+                   {"threads", threads},
+                   {"median_ms", spent},
+                   {"milliseconds", times},
+                   {"ns_per_triangle", 1e6 * spent / triangles},
+                   {"bytes", fast.info().bytes},
+                   {"relative_l1", errors.relative_l1},
+                   {"peak_error", errors.peak_error}});
+    if (threads == 1) panel.points.push_back({what, spent, errors.relative_l1});
+  };
   for (const Setting& setting : all) {
     force_instruction_set(setting.set);
     milliseconds_of(fast, footprint, image);
-    const PndfErrors errors = compare(image, exact);
-    const double spent = median(setting.milliseconds);
-    const double triangles = 2 * 3.14159265 * sigma * sigma * FastExactPndf::k_image_cut * FastExactPndf::k_image_cut;
-    fmt::print("{:<34} {:>4} {:>8} {:>8} {:>10.3f} {:>10.3f} {:>10.1f} {:>11.2e} {:>11.2e}\n", name, n,
-               instruction_set_name(setting.set), setting.threads, spent,
-               *std::min_element(setting.milliseconds.begin(), setting.milliseconds.end()), 1e6 * spent / triangles,
-               errors.relative_l1, errors.peak_error);
-    out.push_back({{"map", name},
-                   {"n", n},
-                   {"isa", instruction_set_name(setting.set)},
-                   {"threads", setting.threads},
-                   {"median_ms", spent},
-                   {"milliseconds", setting.milliseconds},
-                   {"ns_per_triangle", 1e6 * spent / triangles},
-                   {"relative_l1", errors.relative_l1},
-                   {"peak_error", errors.peak_error},
-                   {"double_ms", in_double}});
+    add(std::string(instruction_set_name(setting.set)), setting.threads, setting.milliseconds, compare(image, exact));
   }
-  fmt::print("{:<34} {:>4} {:>8} {:>8} {:>10.0f}\n", name, n, "double", thread_count(), in_double);
+  PndfImage means;  // what counts are of
+  milliseconds_of(ExactPndf(surface, k_roughness, {.cell_means = true}), footprint, means);
+  // Double precision itself is off by what its own cut R = 6 leaves out.
+  const double own_cut = std::exp(-18.0) * 19;
+  const ThreadLimit one(1);
+  const double alone = n == 200 ? 2 * in_double : milliseconds_of(ExactPndf(surface, k_roughness), footprint, image);
+  add("double", n == 200 ? 2 : 1, {n == 200 ? in_double : alone}, {.relative_l1 = own_cut, .peak_error = 0});
+  const Clock::time_point begin = Clock::now();
+  image = bench::six_quadratics_image(ExactPndf(surface, k_roughness), footprint, PndfGrid{});
+  add("2014", 1, {std::chrono::duration<double, std::milli>(Clock::now() - begin).count()}, compare(image, exact));
+  for (const std::uint64_t samples : {100'000U, 1'000'000U, 10'000'000U}) {
+    BinnedSettings binned;
+    binned.samples = samples;
+    const double spent = milliseconds_of(BinnedPndf(surface, k_roughness, binned), footprint, image);
+    add(fmt::format("binning {}", samples), 1, {spent}, compare(image, means));
+  }
 }
 
 void measure_queries(const std::string& name, const Surface& surface, int n, Json& out) {
@@ -124,11 +150,18 @@ void measure_queries(const std::string& name, const Surface& surface, int n, Jso
     force_instruction_set(set);
     std::vector<double> density(k_queries);
     std::vector<double> runs;
-    for (int run = 0; run < 6; ++run) {
+    const auto pass = [&](std::size_t together) {
       const Clock::time_point begin = Clock::now();
-      for (std::size_t k = 0; k < k_queries; ++k) pndf.evaluate({&s[k], 1}, {&density[k], 1});
-      const double spent = std::chrono::duration<double, std::micro>(Clock::now() - begin).count();
-      if (run > 0) runs.push_back(spent / k_queries);
+      for (std::size_t k = 0; k < k_queries; k += together) pndf.evaluate({&s[k], together}, {&density[k], together});
+      return std::chrono::duration<double, std::micro>(Clock::now() - begin).count() / k_queries;
+    };
+    std::vector<double> by_eight;
+    for (int run = 0; run < 6; ++run) {
+      const double eight = pass(8);
+      const double one = pass(1);
+      if (run == 0) continue;
+      runs.push_back(one);
+      by_eight.push_back(eight);
     }
     double difference = 0;
     double sum = 0;
@@ -137,18 +170,37 @@ void measure_queries(const std::string& name, const Surface& surface, int n, Jso
       sum += expected[k];
     }
     const bool smooth = surface.interpolation() == Interpolation::smooth;
-    fmt::print("{:<34} {:>4} {:>8} {:>9} {:>10.3f} {:>11.2e} {:>9.1f} {:>10.2f}\n", name, n, instruction_set_name(set),
-               smooth ? 32 : 2, median(runs), difference / sum, build_ms,
+    fmt::print("{:<34} {:>4} {:>8} {:>9} {:>10.3f} {:>10.3f} {:>11.2e} {:>9.1f} {:>10.2f}\n", name, n,
+               instruction_set_name(set), smooth ? 32 : 2, median(runs), median(by_eight), difference / sum, build_ms,
                static_cast<double>(fast.info().bytes) / static_cast<double>(surface.map().normals().size()));
     out.push_back({{"map", name},
                    {"n", n},
                    {"isa", instruction_set_name(set)},
                    {"triangles", smooth ? 32 : 2},
                    {"query_us", median(runs)},
+                   {"query_by_eight_us", median(by_eight)},
                    {"relative_error", difference / sum},
                    {"build_ms", build_ms},
                    {"bytes", fast.info().bytes}});
   }
+}
+
+// The model of a map of 2048^2 texels, with its pyramid.
+double large_build_ms() {
+  NoiseSettings settings;
+  settings.size = 2048;
+  JobControl control;
+  Result<NormalMap> noise = generate_noise(settings, control);
+  const Surface surface(std::make_shared<const NormalMap>(std::move(*noise)), Interpolation::linear);
+  std::vector<double> times;
+  for (int run = 0; run < 5; ++run) {
+    const Clock::time_point begin = Clock::now();
+    const FastExactPndf fast(surface, k_roughness);
+    PndfWorkspace workspace;
+    fast.at(isotropic_footprint({1024.5, 1024.5}, 3), workspace);
+    times.push_back(std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
+  }
+  return median(times);
 }
 
 }  // namespace
@@ -156,6 +208,7 @@ void measure_queries(const std::string& name, const Surface& surface, int n, Jso
 int main(int argc, char** argv) {
   bool quick = false;
   std::string json;
+  std::string plot;
   std::vector<std::string> maps;
   for (int k = 1; k < argc; ++k) {
     const std::string word = argv[k];
@@ -163,6 +216,8 @@ int main(int argc, char** argv) {
       quick = true;
     } else if (word == "--json" && k + 1 < argc) {
       json = argv[++k];
+    } else if (word == "--plot" && k + 1 < argc) {
+      plot = argv[++k];
     } else {
       maps.push_back(word);
     }
@@ -182,27 +237,43 @@ int main(int argc, char** argv) {
                           Surface(std::make_shared<const NormalMap>(std::move(read->map)), Interpolation::linear));
   }
   fmt::print("{}, sigma_r {}, 2 triangles per texel, 256 x 256 cells of [-1, 1]^2\n", machine_name(), k_roughness);
-  fmt::print("{:<34} {:>4} {:>8} {:>8} {:>10} {:>10} {:>10} {:>11} {:>11}\n", "map", "N", "isa", "threads", "median ms",
-             "least ms", "ns/tri.", "relative L1", "peak error");
+  fmt::print("{:<34} {:>4} {:>14} {:>8} {:>10} {:>10} {:>11} {:>11}\n", "map", "N", "what", "threads", "median ms",
+             "least ms", "relative L1", "peak error");
   Json results = Json::array();
+  std::vector<bench::PlotPanel> panels;
   for (const auto& [name, surface] : surfaces) {
     for (const int n : {10, 50, 200}) {
       if (quick && n == 200) continue;
-      measure(name, surface, n, n == 10 ? 101 : n == 50 ? 21 : 9, results);
+      bench::PlotPanel panel{fmt::format("{}, N = {}", name, n), {}};
+      measure(name, surface, n, n == 10 ? 101 : n == 50 ? 21 : 9, results, panel);
+      panels.push_back(std::move(panel));
     }
   }
-  fmt::print("\n{:<34} {:>4} {:>8} {:>9} {:>10} {:>11} {:>9} {:>10}\n", "map", "N", "isa", "triangles", "query us",
-             "mean error", "build ms", "B/texel");
+  fmt::print("\n{:<34} {:>4} {:>8} {:>9} {:>10} {:>10} {:>11} {:>9} {:>10}\n", "map", "N", "isa", "triangles",
+             "query us", "by eight", "mean error", "build ms", "B/texel");
   Json queries = Json::array();
   for (const auto& [name, surface] : surfaces) {
     for (const Interpolation interpolation : {Interpolation::linear, Interpolation::smooth}) {
       for (const int n : {18, 50}) measure_queries(name, Surface(surface.shared_map(), interpolation), n, queries);
     }
   }
-  if (json.empty()) return 0;
-  const Json document = {
-      {"machine", machine_name()}, {"sigma_r", k_roughness}, {"images", results}, {"queries", queries}};
-  const Status written = write_file(json, document.dump(1) + "\n");
-  if (!written) fmt::print(stderr, "{}\n", written.error().message());
-  return written ? 0 : 1;
+  const double build_ms = large_build_ms();
+  fmt::print("\nmodel and pyramid of a 2048 x 2048 map: {:.1f} ms\n", build_ms);
+  const Json document = {{"machine", machine_name()},
+                         {"sigma_r", k_roughness},
+                         {"images", results},
+                         {"queries", queries},
+                         {"large_build_ms", build_ms}};
+  const auto wrote = [](const Status& status) {
+    if (!status) fmt::print(stderr, "{}\n", status.error().message());
+    return static_cast<bool>(status);
+  };
+  bool done = json.empty() || wrote(write_file(json, document.dump(1) + "\n"));
+  if (!plot.empty()) {
+    const std::string title =
+        fmt::format("{}: one thread, sigma_r {}, 2 triangles per texel", machine_name(), k_roughness);
+    panels.resize(std::min<std::size_t>(panels.size(), 3));  // the map of the speed tables
+    done = wrote(bench::write_plot(plot, title, panels)) && done;
+  }
+  return done ? 0 : 1;
 }

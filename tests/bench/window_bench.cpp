@@ -1,7 +1,10 @@
 // How smooth the window is under software OpenGL while jobs take every core: frame times of a drag, a zoom and clicks,
-// the time from a click to its first picture, and frames in which nothing changes.
+// how many exact pictures a second a drag shows, the time from a click to its first picture, and frames in which
+// nothing changes.
 //
-//   bench_window [PRESET [SIGMA]]
+//   bench_window [PRESET [SIGMA [SIZE]]]
+//
+// SIGMA is the footprint's, texels; SIZE that of a map that is generated.
 
 #include <algorithm>
 #include <chrono>
@@ -9,6 +12,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -29,12 +34,13 @@ double ms_since(Clock::time_point begin) {
 // Frames at 60 a second, as a display would ask for them.
 class Bench {
  public:
-  Bench(gui::HeadlessWindow& window, double sigma) : window_(window), sigma_(sigma) {}
+  Bench(gui::HeadlessWindow& window, double sigma, int size) : window_(window), sigma_(sigma), size_(size) {}
 
   void warm_up() {
     frames(30);
     app().workbench().change("Footprint", [&](Document& d) {
       d.footprint.covariance = {sigma_ * sigma_, 0, sigma_ * sigma_};
+      if (size_ > 0) d.surface.noise.size = d.surface.scratches.size = size_;
     });
     frames(60);
   }
@@ -71,13 +77,24 @@ class Bench {
     push(gui::MouseMove{at});
     frames(2);
     push(gui::MouseButton{0, true, {}, true});
+    std::set<std::shared_ptr<const PndfImage>> pictures;
+    std::set<std::string> labels;
+    const Clock::time_point begin = Clock::now();
     for (int k = 0; k < 150; ++k) {
       push(gui::MouseMove{{at.x + 40 * std::sin(0.1F * static_cast<float>(k)), at.y + 0.3F * static_cast<float>(k)}});
       frames(1);
+      const auto results = app().workbench().jobs().results();
+      if (!results || results->methods.empty() || !results->methods[0].image) continue;
+      pictures.insert(results->methods[0].image);
+      labels.insert(results->methods[0].coarse_note);
     }
+    const double seconds = ms_since(begin) / 1000;
     push(gui::MouseButton{0, false, {}, true});
     frames(2);
     report("dragging the footprint");
+    fmt::print("exact pictures in the drag   {:>5.1f} a second:", static_cast<double>(pictures.size()) / seconds);
+    for (const std::string& label : labels) fmt::print(" \"{}\"", label);
+    fmt::print("\n");
   }
 
   void zoom() {
@@ -122,6 +139,7 @@ class Bench {
 
   gui::HeadlessWindow& window_;
   double sigma_;
+  int size_;  // 0: the preset's
   std::vector<double> times_;
 };
 
@@ -141,7 +159,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "{}\n", opened.error().message());
     return 1;
   }
-  Bench bench(**window, argc > 2 ? std::atof(argv[2]) : 20.0 / 6);
+  Bench bench(**window, argc > 2 ? std::atof(argv[2]) : 20.0 / 6, argc > 3 ? std::atoi(argv[3]) : 0);
   bench.warm_up();
   bench.rest();
   bench.drag();

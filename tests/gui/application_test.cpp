@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <set>
 #include <thread>
 
@@ -292,6 +293,31 @@ TEST(Application, TheCrosshairReadsEveryMethodAndCanBeCopied) {
   stage.play("action edit.copy");
   EXPECT_THAT(stage.window->clipboard(), HasSubstr("exact"));
   EXPECT_THAT(stage.window->clipboard(), HasSubstr("binning"));
+}
+
+TEST(Application, TheExactPictureCanBeCheckedAgainstDoublePrecision) {
+  const ApplicationStage stage;
+  stage.open_small();
+  stage.play("wait jobs");
+  EXPECT_THAT(stage.app().run_action("compute.check_precision"), HasSubstr("There is no crosshair"));
+  stage.play("click pndf.picture.exact\nwait 3\naction compute.check_precision\nwait jobs\nwait 3");
+  const gui::Message* message = stage.app().workbench().messages().newest();
+  ASSERT_NE(message, nullptr);
+  double single_precision = 0;
+  double double_precision = 0;
+  const std::string values = message->text.substr(message->text.find(": ") + 2);
+  ASSERT_EQ(
+      std::sscanf(values.c_str(), "%lf in single and %lf in double precision", &single_precision, &double_precision), 2)
+      << message->text;
+  const auto picture = stage.app().workbench().jobs().results()->methods[0].image;
+  EXPECT_TRUE(std::any_of(picture->density.begin(), picture->density.end(), [&](double density) {
+    return std::abs(density - single_precision) <= 1e-6 * single_precision;
+  })) << "the picture holds no such value";
+  EXPECT_GT(double_precision, 0);
+  EXPECT_NEAR(single_precision, double_precision, 1e-4 * double_precision);
+  EXPECT_NE(single_precision, double_precision) << "they were not computed apart";
+  stage.play("set exact.precision double\nwait jobs");
+  EXPECT_THAT(stage.app().run_action("compute.check_precision"), HasSubstr("in double precision already"));
 }
 
 TEST(Application, SplittersMoveAndTheLayoutCanBeReset) {

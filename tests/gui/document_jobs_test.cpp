@@ -51,6 +51,7 @@ TEST_F(DocumentJobsTest, PicturesComeCoarseThenFullThenTheirErrors) {
   EXPECT_EQ(first.revision, 1U);
   EXPECT_TRUE(first.methods[0].coarse);
   EXPECT_EQ(first.methods[0].coarse_note, "64² cells, 2 triangles");
+  EXPECT_EQ(first.methods[0].surface, Interpolation::linear);
   EXPECT_EQ(first.methods[0].image->grid.columns, 64);
   EXPECT_EQ(first.methods[1].image, nullptr);
   EXPECT_LT(first.methods[1].progress, 1);

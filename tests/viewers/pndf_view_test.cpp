@@ -277,6 +277,10 @@ TEST_F(PndfViewTest, ShowsADifferenceOfEqualPicturesOnly) {
   results_->methods[1].coarse = true;
   frame();
   EXPECT_EQ(blue_pixels("pndf.picture.difference"), 0) << "another quality";
+  results_->methods[0].coarse = true;
+  results_->methods[0].surface = Interpolation::linear;
+  frame();
+  EXPECT_EQ(blue_pixels("pndf.picture.difference"), 0) << "another surface";
 }
 
 TEST_F(PndfViewTest, KeepsTheLastDifferenceUntilThereIsANewerOne) {

@@ -8,12 +8,9 @@ namespace glint::view {
 namespace {
 
 // Index of the cell that holds s, if it lies in the window.
-std::optional<std::size_t> cell_at(const PndfGrid& grid, glm::dvec2 s) {
-  const bool inside = s.x >= grid.s_min && s.x <= grid.s_max && s.y >= grid.t_min && s.y <= grid.t_max;
-  if (!inside) return std::nullopt;
-  const int column = static_cast<int>((s.x - grid.s_min) / grid.pitch().x);
-  const int row = static_cast<int>((grid.t_max - s.y) / grid.pitch().y);
-  return grid.index(std::min(column, grid.columns - 1), std::min(row, grid.rows - 1));
+std::optional<std::size_t> index_at(const PndfGrid& grid, glm::dvec2 s) {
+  const std::optional<glm::ivec2> cell = grid.cell_at(s);
+  return cell ? std::optional(grid.index(cell->x, cell->y)) : std::nullopt;
 }
 
 double block_mean(const PndfGrid& grid, std::span<const double> cells, glm::ivec2 first, int side) {
@@ -51,7 +48,7 @@ Texels reduced_texels(const PndfGrid& grid, std::span<const double> cells, int m
 }
 
 std::optional<CellReading> read_cell(const PndfImage& image, glm::dvec2 s) {
-  const std::optional<std::size_t> cell = cell_at(image.grid, s);
+  const std::optional<std::size_t> cell = index_at(image.grid, s);
   if (!cell) return std::nullopt;
   CellReading reading{image.density[*cell], std::nullopt};
   if (!image.standard_error.empty()) reading.standard_error = image.standard_error[*cell];
@@ -78,7 +75,7 @@ std::optional<DifferenceImage> difference_of(const PndfImage& image, const PndfI
 }
 
 std::optional<double> difference_at(const DifferenceImage& difference, glm::dvec2 s) {
-  const std::optional<std::size_t> cell = cell_at(difference.grid, s);
+  const std::optional<std::size_t> cell = index_at(difference.grid, s);
   if (!cell) return std::nullopt;
   return difference.values[*cell];
 }

@@ -26,14 +26,15 @@ struct SurfaceInUse {
 /// The P-NDF of one method. Its image has its own grid: that of a coarse or an older picture is not the results' grid.
 struct MethodPicture {
   PndfMethod method = PndfMethod::exact;
-  std::shared_ptr<const PndfImage> image;  ///< null: not computed yet
-  bool coarse = false;                     ///< a quick first answer: fewer cells, and what `coarse_note` says
-  std::string coarse_note;                 ///< "64² cells, 2 triangles", empty for a full picture
-  double milliseconds = 0;                 ///< of `image` alone; nothing of building or waiting is in it
-  std::optional<PndfErrors> errors;        ///< against the reference of its surface; unknown until that is there
-  double reference_error = 0;              ///< of the reference itself, where `errors` are known
-  double progress = 1;                     ///< of the better picture under way, 1 when there is none
-  std::uint64_t revision = 0;              ///< of the document it shows; older than the results': to be dimmed
+  std::shared_ptr<const PndfImage> image;         ///< null: not computed yet
+  bool coarse = false;                            ///< a quick first answer: fewer cells, and what `coarse_note` says
+  std::string coarse_note;                        ///< "64² cells, 2 triangles", empty for a full picture
+  Interpolation surface = Interpolation::smooth;  ///< what it was computed on: differences need equal surfaces
+  double milliseconds = 0;                        ///< of `image` alone; nothing of building or waiting is in it
+  std::optional<PndfErrors> errors;               ///< against the reference of its surface; unknown until that is there
+  double reference_error = 0;                     ///< of the reference itself, where `errors` are known
+  double progress = 1;                            ///< of the better picture under way, 1 when there is none
+  std::uint64_t revision = 0;                     ///< of the document it shows; older than the results': to be dimmed
 };
 
 /// Everything known about one snapshot of the document. Shared between the jobs, which make a new one for every step

@@ -255,8 +255,8 @@ const ShownDifference* PndfView::State::newest_difference(Ui& ui, const PndfInpu
   const MethodPicture* image = picture_of(input.results.get(), methods.first);
   const MethodPicture* reference = picture_of(input.results.get(), methods.second);
   const bool comparable = image != nullptr && reference != nullptr && image->image && reference->image &&
-                          image->coarse == reference->coarse && image->revision == reference->revision &&
-                          image->image->grid == reference->image->grid;
+                          image->coarse == reference->coarse && image->surface == reference->surface &&
+                          image->revision == reference->revision && image->image->grid == reference->image->grid;
   if (comparable) difference = Difference{methods, image->image, reference->image, image->revision, image->coarse};
   return difference ? pictures.shown_difference(ui.gl, difference->image, difference->reference) : nullptr;
 }
