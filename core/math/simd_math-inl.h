@@ -40,15 +40,28 @@ HWY_INLINE hn::Mask<Floats> mask_of_bits(std::uint32_t bits) {
   return hn::LoadMaskBits(Floats(), bytes.data());
 }
 
-/// 2^x for x <= 0, relative error 2e-7; 2^-100 below -100, so that few products become denormal numbers.
-HWY_INLINE V exp2_of_negative(V x) {
+/// x as a whole number and a rest in [-1/2, 1/2].
+struct WholeAndRest {
+  hn::Vec<hn::RebindToSigned<Floats>> exponent;  ///< the number, shifted to where floats keep theirs
+  V rest;
+};
+HWY_INLINE WholeAndRest split_exponent(V x) {
   const Floats d;
   const hn::RebindToSigned<Floats> di;
-  x = hn::Max(x, hn::Set(d, -100.0F));
   // Rounds: the lowest bits of the sum are those of the integer.
   const V shift = hn::Set(d, 12582912.0F);  // 1.5 2^23
   const V shifted = hn::Add(x, shift);
-  const V f = hn::Sub(x, hn::Sub(shifted, shift));
+  return {hn::ShiftLeft<23>(hn::BitCast(di, shifted)), hn::Sub(x, hn::Sub(shifted, shift))};
+}
+HWY_INLINE V scale_by_exponent(V x, hn::Vec<hn::RebindToSigned<Floats>> exponent) {
+  const Floats d;
+  return hn::BitCast(d, hn::Add(hn::BitCast(hn::RebindToSigned<Floats>(), x), exponent));
+}
+
+/// 2^x for x <= 0, relative error 2e-7; 2^-100 below -100, so that few products become denormal numbers.
+HWY_INLINE V exp2_of_negative(V x) {
+  const Floats d;
+  const auto [exponent, f] = split_exponent(hn::Max(x, hn::Set(d, -100.0F)));
   // Chebyshev interpolation of degree 5 on [-1/2, 1/2].
   V p = hn::Set(d, 1.3390863e-3F);
   p = hn::MulAdd(p, f, hn::Set(d, 9.6760319e-3F));
@@ -56,8 +69,20 @@ HWY_INLINE V exp2_of_negative(V x) {
   p = hn::MulAdd(p, f, hn::Set(d, 2.4022107e-1F));
   p = hn::MulAdd(p, f, hn::Set(d, 6.9314719e-1F));
   p = hn::MulAdd(p, f, hn::Set(d, 1.0000000755F));
-  const auto exponent = hn::ShiftLeft<23>(hn::BitCast(di, shifted));
-  return hn::BitCast(d, hn::Add(hn::BitCast(di, p), exponent));
+  return scale_by_exponent(p, exponent);
+}
+
+/// Likewise to 4e-6.
+HWY_INLINE V rough_exp2_of_negative(V x) {
+  const Floats d;
+  const auto [exponent, f] = split_exponent(hn::Max(x, hn::Set(d, -100.0F)));
+  // Chebyshev interpolation of degree 4 on [-1/2, 1/2].
+  V p = hn::Set(d, 0.00966636852F);
+  p = hn::MulAdd(p, f, hn::Set(d, 0.0559219758F));
+  p = hn::MulAdd(p, f, hn::Set(d, 0.24022349F));
+  p = hn::MulAdd(p, f, hn::Set(d, 0.693121045F));
+  p = hn::MulAdd(p, f, hn::Set(d, 1.0F));
+  return scale_by_exponent(p, exponent);
 }
 
 /// 1 / x to 2e-7, for normal x.
@@ -83,8 +108,8 @@ HWY_INLINE V reciprocal_root(V x) {
 #endif
 }
 
-/// The Mills ratio exp(x^2 / 2) (integral of exp(-t^2 / 2) from x on) for x >= 0, with x and its value in units of
-/// 1 / k_unit: within 2.5e-6 up to x = 6, where the integral is 2e-9, and of the right order beyond.
+/// The Mills ratio exp(x^2 / 2) (integral of exp(-t^2 / 2) from x on) for x >= 0, of x / k_unit and divided by k_unit:
+/// within 2.6e-6 up to x = 6, where the integral is 2e-9, and of the right order beyond.
 HWY_INLINE V unit_mills(V x) {
   const Floats d;
   // Chebyshev interpolation of degree 5 of the ratio over t, in t = 1 / (1 + 0.3 x / k_unit).
@@ -98,7 +123,7 @@ HWY_INLINE V unit_mills(V x) {
   return hn::Mul(p, t);
 }
 
-/// 1 - x times the Mills ratio, for x >= 0 in those units: within 1e-6, and of the right order beyond 6.
+/// 1 - x times the Mills ratio, of x / k_unit for x >= 0: within 1e-6, and of the right order beyond 6.
 HWY_INLINE V unit_mills_remainder(V x) {
   const Floats d;
   // Chebyshev interpolation of degree 6 of the value over t^2, in t = 1 / (1 + 0.26 x / k_unit).
@@ -112,7 +137,7 @@ HWY_INLINE V unit_mills_remainder(V x) {
   p = hn::MulAdd(p, t, hn::Set(d, 0.071549212F));
   return hn::Mul(p, hn::Mul(t, t));
 }
-/// The whole integral of exp(-x^2 / 2) in those units: sqrt(2 pi) / k_unit.
+/// The whole integral of exp(-x^2 / 2), divided likewise.
 inline constexpr float k_whole = 2.5066283F / k_unit;
 
 }  // namespace glint::HWY_NAMESPACE

@@ -130,7 +130,10 @@ ExactPndf::ExactPndf(Surface surface, double intrinsic_roughness, ExactSettings 
       cell_means_(settings.cell_means) {}
 
 PndfModelInfo ExactPndf::info() const {
-  return {"exact", cells_.surface().interpolation(), "exact for its triangles, in double precision", cells_.bytes()};
+  const Interpolation asked = cells_.surface().interpolation();
+  const bool two_triangles = asked == Interpolation::smooth && cells_.subdivision() == 1;
+  return {"exact", two_triangles ? Interpolation::linear : asked, "exact for its triangles, in double precision",
+          cells_.bytes()};
 }
 
 FootprintPndf& ExactPndf::at(const Footprint& footprint, PndfWorkspace& workspace) const {

@@ -1,8 +1,7 @@
 #include "core/pndf/exact_query.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
+#include <cassert>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -25,8 +24,8 @@ namespace {
 // One bit a child, for each normal of the batch.
 using NearBits = std::array<std::uint32_t, k_query_batch>;
 
-// A batch of normals descends the pyramid together: nodes and cells are loaded once, and each normal lists the triangles
-// that it finds.
+// A batch of normals descends the pyramid together: nodes and cells are loaded once, and each normal lists the
+// triangles that it finds.
 class Query {
  public:
   Query(const QueryFrame& frame, std::span<const glm::dvec2> s, QueryScratch::Arrays& arrays)
@@ -46,7 +45,7 @@ class Query {
     for (const QueryGroup& group : frame_.groups) search_group(group, all);
     for (std::size_t q = 0; q < count_; ++q) {
       sum_found(q);
-      out[q] = states_[q].refused ? std::nullopt : std::optional(states_[q].total);
+      out[q] = is_refused(q) ? std::nullopt : std::optional(states_[q].total);
     }
   }
 
@@ -58,23 +57,24 @@ class Query {
     QueryNormal normal;
     std::array<float, 4> axes{};
     double total = 0;
-    bool refused = false;  // a triangle was too long
   };
+
+  // A triangle was too long.
+  [[nodiscard]] bool is_refused(std::size_t q) const { return (refused_ >> q & 1U) != 0; }
 
   void sum_found(std::size_t q) {
     State& state = states_[q];
-    if (!state.refused) {
-      const std::optional<double> sum = TriangleSum(frame_, cell_size(), state.normal, arrays_).sum(arrays_.triangles[q]);
-      state.refused = !sum;
+    if (!is_refused(q)) {
+      const std::optional<double> sum =
+          TriangleSum(frame_, cell_size(), state.normal, arrays_).sum(arrays_.triangles[q]);
+      if (!sum) refused_ |= 1U << q;
       state.total += sum.value_or(0);
     }
     arrays_.triangles[q].count = 0;
   }
 
   [[nodiscard]] float cell_size() const { return is_linear() ? LinearCells::k_size : SmoothSubcells::k_size; }
-  [[nodiscard]] bool is_linear() const {
-    return frame_.cells->surface().interpolation() == Interpolation::linear;
-  }
+  [[nodiscard]] bool is_linear() const { return frame_.cells->surface().interpolation() == Interpolation::linear; }
 
   // Calls body(bit) for the bits that are set.
   template <class Body>
@@ -178,8 +178,10 @@ class Query {
     const NormalMap& map = cells.surface().map();
     const std::int64_t i = cells.axis_u().first + column;
     const std::int64_t j = cells.axis_v().first + row;
-    const std::uint32_t there = cells_there(static_cast<int>(cells.axis_u().count) - column,
-                                            static_cast<int>(cells.axis_v().count) - row);
+    active &= ~refused_;
+    if (active == 0) return;
+    const std::uint32_t there =
+        cells_there(static_cast<int>(cells.axis_u().count) - column, static_cast<int>(cells.axis_v().count) - row);
     if (is_linear()) {
       const TexelWindow texels(map, i, j, 5, 5);
       list_triangles(LinearCells(texels), there, left, top, active);
@@ -247,8 +249,8 @@ class Query {
         const std::uint32_t bits = there >> k;
         TriangleList& list = arrays_.triangles[static_cast<std::size_t>(q)];
         push(is_near(0), bits, {x, y, s[0], t[0], s[1], t[1], s[2], t[2]}, list);
-        push(is_near(3), bits, {hn::Neg(hn::Add(x, size)), hn::Neg(hn::Add(y, size)), s[3], t[3], s[2], t[2], s[1], t[1]},
-             list);
+        push(is_near(3), bits,
+             {hn::Neg(hn::Add(x, size)), hn::Neg(hn::Add(y, size)), s[3], t[3], s[2], t[2], s[1], t[1]}, list);
         if (list.count > k_most_triangles) sum_found(static_cast<std::size_t>(q));
       });
     }
@@ -262,7 +264,8 @@ class Query {
   }
 
   // Appends the lanes whose bits are set in both.
-  static HWY_INLINE void push(hn::Mask<Floats> near, std::uint32_t there, const std::array<V, TriangleList::k_fields>& of,
+  using TriangleFields = std::array<V, TriangleList::k_fields>;
+  static HWY_INLINE void push(hn::Mask<Floats> near, std::uint32_t there, const TriangleFields& of,
                               TriangleList& list) {
     const Floats d;
     if (there != 0xFFFF) near = hn::And(near, mask_of_bits(there));
@@ -277,6 +280,7 @@ class Query {
   float normal_room_;  // squared roughness
   std::size_t count_;
   std::array<State, k_query_batch> states_{};
+  std::uint32_t refused_ = 0;  // one bit a normal
 };
 
 }  // namespace
@@ -300,6 +304,7 @@ QueryScratch::~QueryScratch() = default;
 
 void exact_query(const QueryFrame& frame, std::span<const glm::dvec2> s, QueryScratch& scratch,
                  std::span<std::optional<double>> out) {
+  assert(!s.empty() && s.size() <= k_query_batch && out.size() >= s.size());
   HWY_DYNAMIC_DISPATCH(query)(frame, s, scratch, out);
 }
 

@@ -63,8 +63,8 @@ bool can_query(const SurfaceCells& cells, const FootprintWindow& window, glm::dv
 QueryFrame make_query_frame(const SurfaceCells& cells, const NormalBounds& bounds, const FootprintWindow& window,
                             glm::dvec2 center, double roughness, double cut);
 
-/// D_P(s[k]) into out[k], of at most k_query_batch normals; never negative, NaN or infinite, and the same whichever normals are asked together. Nothing
-/// where a triangle is too long for single precision.
+/// D_P(s[k]) into out[k], of 1 to k_query_batch normals; never negative, NaN or infinite, and the same whichever
+/// normals are asked together. Nothing where a triangle is too long for single precision.
 void exact_query(const QueryFrame& frame, std::span<const glm::dvec2> s, QueryScratch& scratch,
                  std::span<std::optional<double>> out);
 

@@ -25,7 +25,8 @@ namespace glint::HWY_NAMESPACE {
 namespace {
 
 // Appends the lanes of the mask. They are brought to the front by one permutation: compressing each field, or into
-// memory, is slow on some processors.
+// memory, is slow on some processors. (Behind the mask's, compressed lanes hold some lane's index on all of our
+// targets.)
 template <std::size_t fields>
 HWY_INLINE void append(const std::array<V, fields>& of, hn::Mask<Floats> mask, FieldList<fields>& list) {
   const Floats d;
@@ -75,8 +76,9 @@ class TriangleSum {
       rays->reserve(list.count + 2 * static_cast<std::size_t>(k_lanes));
     }
     pad(list);
-    for_vectors(list, list.count, [&](const std::array<V, TriangleList::k_fields>& of, hn::Mask<Floats> there)
-                                      HWY_ATTR { add(of, there); });
+    for_vectors(list, list.count,
+                [&](const std::array<V, TriangleList::k_fields>& of, hn::Mask<Floats> there)
+                    HWY_ATTR { add(of, there); });
     if (too_long_) return std::nullopt;
     return static_cast<double>(leg_ * leg_ * frame_.scale) * (sum_short() + sum_rays());
   }
@@ -127,7 +129,7 @@ class TriangleSum {
                                  hn::Set(d, k_nodes_per_deviation - 0.6F));
     const V span = ray_span(rays, start_x, start_y, across_x, across_y, reach);
     const V wanted = hn::Add(hn::Ceil(hn::Mul(span, density)), hn::Set(d, 2));
-    const std::array<V, RayList::k_fields> fields{rays.apex_x, rays.apex_y, start_x,  start_y, across_x,
+    const std::array<V, RayList::k_fields> fields{rays.apex_x, rays.apex_y, start_x, start_y, across_x,
                                                   across_y,    residual,    rays.dz, wanted};
     const auto many = hn::And(mask, hn::Gt(wanted, hn::Set(d, k_few_nodes)));
     const auto few = hn::AndNot(many, mask);
@@ -143,13 +145,12 @@ class TriangleSum {
     const V to_edge =
         hn::MulSub(across_x, hn::Add(rays.apex_y, start_y), hn::Mul(across_y, hn::Add(rays.apex_x, start_x)));
     const auto ends_beyond = hn::Gt(hn::Mul(to_edge, to_edge), hn::Mul(squared_reach, edge));
-    const auto starts_beyond =
-        hn::Gt(dot2(rays.apex_x, rays.apex_x, rays.apex_y, rays.apex_y), squared_reach);
+    const auto starts_beyond = hn::Gt(dot2(rays.apex_x, rays.apex_x, rays.apex_y, rays.apex_y), squared_reach);
     const auto distance = [&](V x, V y) HWY_ATTR {
       return hn::Mul(hn::MulSub(rays.apex_x, y, hn::Mul(rays.apex_y, x)), rough_reciprocal_root(dot2(x, x, y, y)));
     };
-    const V spread = hn::Abs(hn::Sub(distance(start_x, start_y),
-                                     distance(hn::Add(start_x, across_x), hn::Add(start_y, across_y))));
+    const V spread =
+        hn::Abs(hn::Sub(distance(start_x, start_y), distance(hn::Add(start_x, across_x), hn::Add(start_y, across_y))));
     const V along = rough_root(edge);
     return hn::IfThenElse(hn::And(ends_beyond, starts_beyond), hn::Min(spread, along), along);
   }

@@ -33,6 +33,7 @@ void DocumentJobs::update(const Document& document, std::uint64_t revision) {
     ask_surface = ask_surface || differs;
     if (ask_surface) surface_.request(document.surface);
     if (differs && cancelled_) begin_again();
+    if (differs) check_.cancel();
   } else if (ask_surface) {
     surface_.request(document.surface);
   }
@@ -73,7 +74,8 @@ JobStatus DocumentJobs::status() const {
   if (JobStatus status = open_.status(); status.busy) return status;
   if (cancelled_) return {};  // what has been cancelled may still be on its way out
   if (JobStatus status = surface_.status(); status.busy) return status;
-  return pndf_.status();
+  if (JobStatus status = pndf_.status(); status.busy) return status;
+  return check_.status();
 }
 
 bool DocumentJobs::idle() const {

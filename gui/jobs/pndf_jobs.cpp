@@ -39,16 +39,10 @@ bool coarse_is_quicker(const PndfGrid& grid) {
   return !(coarse_grid(grid) == grid);
 }
 
-// What a picture is computed on: a coarse one of the smooth surface takes two triangles a texel.
-Interpolation surface_of(PndfMethod method, const Surface& surface, bool coarse) {
-  const bool two_triangles = coarse && method == PndfMethod::exact && surface.interpolation() == Interpolation::smooth;
-  return two_triangles ? Interpolation::linear : surface.interpolation();
-}
-
-// What a coarse picture is made of; see make_coarse_model.
-std::string coarse_note(const Document& document, PndfMethod method, const Surface& surface, const PndfGrid& coarse) {
+// What a coarse picture is made of, on `surface`; see make_coarse_model.
+std::string coarse_note(const Document& document, PndfMethod method, Interpolation surface, const PndfGrid& coarse) {
   std::string note = fmt::format("{}² cells", coarse.columns);
-  if (surface_of(method, surface, true) != surface.interpolation()) note += ", 2 triangles";
+  if (method == PndfMethod::exact && surface == Interpolation::linear) note += ", 2 triangles";
   if (method == PndfMethod::binning && document.binning_samples > k_coarse_samples) {
     note += fmt::format(", {} k samples", k_coarse_samples / 1000);
   }
@@ -160,8 +154,8 @@ void PndfJobs::compute_picture(const Run& run, std::size_t index, bool coarse) {
   picture.method = method;
   picture.image = std::make_shared<const PndfImage>(std::move(*image));
   picture.coarse = coarse;
-  picture.surface = surface_of(method, surface, coarse);
-  if (coarse) picture.coarse_note = coarse_note(run.document, method, surface, grid);
+  picture.surface = model->info().surface;
+  if (coarse) picture.coarse_note = coarse_note(run.document, method, picture.surface, grid);
   picture.milliseconds = elapsed.count();
   board_.set_picture(index, std::move(picture));
   wake_();

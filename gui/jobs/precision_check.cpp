@@ -34,16 +34,18 @@ std::optional<Cell> cell_of(const PndfImage& image, glm::dvec2 s) {
 
 }  // namespace
 
-const char* PrecisionCheck::reason_against(const view::PndfResults* results) {
+const char* PrecisionCheck::reason_against(const view::PndfResults* results, glm::dvec2 s) {
   const view::MethodPicture* picture = exact_picture(results);
   if (picture == nullptr) return "There is no exact picture";
   if (results->document.exact_precision == ExactPrecision::double_precision) {
     return "The exact picture is in double precision already";
   }
-  return picture->coarse || picture->revision < results->revision ? "The exact picture is still being computed" : "";
+  if (picture->coarse || picture->revision < results->revision) return "The exact picture is not complete";
+  return picture->image->grid.cell_at(s) ? "" : "The crosshair lies outside the picture";
 }
 
 void PrecisionCheck::request(std::shared_ptr<const view::PndfResults> results, glm::dvec2 s) {
+  cancel();
   job_.start([this, results = std::move(results), s](JobSteps& steps) {
     const PndfImage& image = *exact_picture(results.get())->image;
     const std::optional<Cell> cell = cell_of(image, s);
@@ -57,8 +59,15 @@ void PrecisionCheck::request(std::shared_ptr<const view::PndfResults> results, g
     if (!exact) return;
     const double largest = *std::max_element(image.density.begin(), image.density.end());
     const std::lock_guard lock(mutex_);
+    if (steps.cancelled()) return;
     reading_ = {cell->grid.center(0, 0), cell->density, exact->density[0], largest};
   });
+}
+
+void PrecisionCheck::cancel() {
+  job_.cancel();
+  const std::lock_guard lock(mutex_);
+  reading_.reset();
 }
 
 std::optional<PrecisionReading> PrecisionCheck::take() {

@@ -27,15 +27,17 @@ class PrecisionCheck {
  public:
   PrecisionCheck(const std::function<void()>& wake, ErrorInbox& errors) : job_(wake, errors) {}
 
-  /// Why nothing can be compared in these results, or "".
-  static const char* reason_against(const view::PndfResults* results);
-  /// Compares at the cell that holds `s`, on the surface and the triangles of the picture. `results` must be fit for
-  /// it.
+  /// Why nothing can be compared at `s` in these results, or "".
+  static const char* reason_against(const view::PndfResults* results, glm::dvec2 s);
+  /// Compares at the cell that holds `s`, on the surface and the triangles of the picture; there must be no reason
+  /// against it.
   void request(std::shared_ptr<const view::PndfResults> results, glm::dvec2 s);
-  /// What came of the newest request, once; none for a normal outside the picture.
+  /// What came of the newest request, once.
   std::optional<PrecisionReading> take();
-  void cancel() { job_.cancel(); }
+  /// Ends what runs; what came of it is forgotten.
+  void cancel();
   [[nodiscard]] bool idle() const { return job_.idle(); }
+  [[nodiscard]] JobStatus status() const { return job_.status(); }
 
  private:
   std::mutex mutex_;

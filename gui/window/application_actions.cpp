@@ -334,8 +334,9 @@ class Registrar {
              "Computes the exact density at the crosshair in double precision and says how far the picture is off.",
              [this] { bench().jobs().check_precision(app_.panels().pndf().reading()->s); });
     action->reason_disabled = [this]() -> std::string {
-      if (!app_.panels().pndf().reading()) return "There is no crosshair: click in a P-NDF first";
-      return PrecisionCheck::reason_against(bench().jobs().results().get());
+      const auto& reading = app_.panels().pndf().reading();
+      if (!reading) return "There is no crosshair: click in a P-NDF first";
+      return PrecisionCheck::reason_against(bench().jobs().results().get(), reading->s);
     };
     action->separator_before = true;
     done();

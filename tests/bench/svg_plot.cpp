@@ -36,16 +36,25 @@ Axis axis_over(const std::vector<PlotPanel>& panels, double PlotPoint::*field, d
   double most = 0;
   for (const PlotPanel& panel : panels) {
     for (const PlotPoint& point : panel.points) {
+      if (!(point.*field > 0)) continue;
       least = std::min(least, point.*field);
       most = std::max(most, point.*field);
     }
   }
-  return {static_cast<int>(std::floor(std::log10(least))), static_cast<int>(std::ceil(std::log10(most))), from, to};
+  if (!(most > 0)) return {0, 1, from, to};
+  const int first = static_cast<int>(std::floor(std::log10(least)));
+  return {first, std::max(first + 1, static_cast<int>(std::ceil(std::log10(most)))), from, to};
+}
+
+std::string escaped(const std::string& words) {
+  std::string out;
+  for (const char c : words) out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
+  return out;
 }
 
 std::string text(double x, double y, const char* anchor, const std::string& words, int size = 12) {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" font-size=\"{}\">{}</text>\n", x, y, anchor,
-                     size, words);
+                     size, escaped(words));
 }
 
 std::string axes(const Axis& x, const Axis& y) {
@@ -98,9 +107,11 @@ Status write_plot(const std::filesystem::path& file, const std::string& title, c
           k_top + k_height / 2);
     }
     for (const PlotPoint& point : panels[k].points) {
+      if (!(point.milliseconds > 0 && point.error > 0)) continue;
       out += fmt::format(
           "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\" fill=\"{}\"><title>{}: {:.3g} ms, {:.2g}</title></circle>\n",
-          x.at(point.milliseconds), y.at(point.error), color(point.name), point.name, point.milliseconds, point.error);
+          x.at(point.milliseconds), y.at(point.error), color(point.name), escaped(point.name), point.milliseconds,
+          point.error);
     }
   }
   for (std::size_t k = 0; k < names.size(); ++k) {

@@ -102,14 +102,18 @@ TEST(ExactQuery, IsTheSameForEveryInstructionSet) {
 }
 
 TEST(ExactQuery, OfManyNormalsIsThatOfEach) {
-  const Case c = cases()[1];
-  const FastExactPndf model(Surface(c.map, Interpolation::linear), c.roughness);
-  PndfWorkspace workspace;
-  const FootprintPndf& pndf = model.at(c.footprint, workspace);
-  const std::vector<glm::dvec2> s = normals_for(pndf, c.roughness, 20);
-  std::vector<double> together(s.size());
-  pndf.evaluate(s, together);
-  for (std::size_t k = 0; k < s.size(); ++k) EXPECT_EQ(together[k], pndf.pdf(s[k]));
+  for (const std::size_t which : {1U, 4U, 11U}) {
+    const Case c = cases()[which];
+    for (const Interpolation interpolation : {Interpolation::linear, Interpolation::smooth}) {
+      const FastExactPndf model(Surface(c.map, interpolation), c.roughness);
+      PndfWorkspace workspace;
+      const FootprintPndf& pndf = model.at(c.footprint, workspace);
+      const std::vector<glm::dvec2> s = normals_for(pndf, c.roughness, 20);
+      std::vector<double> together(s.size());
+      pndf.evaluate(s, together);
+      for (std::size_t k = 0; k < s.size(); ++k) EXPECT_EQ(together[k], pndf.pdf(s[k])) << c.what;
+    }
+  }
 }
 
 TEST(ExactQuery, IsZeroThirtyDeviationsOut) {
