@@ -25,6 +25,7 @@ struct ChoiceNames<SurfaceSource> {
 template <>
 struct ChoiceNames<PndfMethod> {
   static constexpr std::array k_table{std::pair{PndfMethod::exact, std::string_view("exact")},
+                                      std::pair{PndfMethod::mixture, std::string_view("mixture")},
                                       std::pair{PndfMethod::binning, std::string_view("binning")}};
 };
 
@@ -32,6 +33,13 @@ template <>
 struct ChoiceNames<ExactPrecision> {
   static constexpr std::array k_table{std::pair{ExactPrecision::single_precision, std::string_view("float")},
                                       std::pair{ExactPrecision::double_precision, std::string_view("double")}};
+};
+
+template <>
+struct ChoiceNames<MixtureElements> {
+  static constexpr std::array k_table{std::pair{MixtureElements::flat, std::string_view("flat")},
+                                      std::pair{MixtureElements::curved, std::string_view("curved")},
+                                      std::pair{MixtureElements::corrected, std::string_view("corrected")}};
 };
 
 template <>

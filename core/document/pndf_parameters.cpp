@@ -18,6 +18,9 @@ bool has_method(const Document& document, PndfMethod method) {
 bool of_binning(const Document& document) {
   return has_method(document, PndfMethod::binning);
 }
+bool of_mixture(const Document& document) {
+  return has_method(document, PndfMethod::mixture);
+}
 bool of_exact(const Document& document) {
   return has_method(document, PndfMethod::exact);
 }
@@ -75,7 +78,9 @@ constexpr std::array k_parameters{
               .kind = ParameterKind::choices,
               .choices = k_choice_names<PndfMethod>,
               .help = "The methods that compute the P-NDF, in the order in which they are shown.",
-              .source = "Yan et al. 2014, sections 4 to 6 (exact) and the comparison against reference (binning)",
+              .source =
+                  "Yan et al. 2014, sections 4 to 6 (exact), 2016, section 4 (mixture), and both papers' reference "
+                  "(binning)",
               .access = at<[](auto& d) -> auto& { return d.methods; }>(),
               .matters = always},
     Parameter{.path = "exact.vertex_shift",
@@ -95,6 +100,41 @@ constexpr std::array k_parameters{
               .source = "this tool: exact evaluation",
               .access = at<[](auto& d) -> auto& { return d.exact_precision; }>(),
               .matters = of_exact},
+    Parameter{.path = "mixture.step",
+              .label = "step between elements",
+              .short_label = "Step h",
+              .symbol = "h",
+              .unit = "texels",
+              .kind = ParameterKind::number,
+              .range = {k_least_step, k_largest_step},
+              .slider = {0.2, 2, true},
+              .help = "How far apart the mixture's elements are seeded: half of it costs four times as much and is "
+                      "sixteen times closer.",
+              .source = "Yan et al. 2016, section 4: 2, 1, 0.5, 1/3 or 0.25",
+              .access = at<[](auto& d) -> auto& { return d.mixture.step; }>(),
+              .matters = of_mixture},
+    Parameter{.path = "mixture.kappa",
+              .label = "width of elements",
+              .short_label = "Kappa",
+              .symbol = "sigma_h / h",
+              .kind = ParameterKind::number,
+              .range = {0.3, 1},
+              .may_be_none = true,
+              .help = "How wide an element is against the step: narrow ones ripple as their lattice does; automatic, "
+                      "unless set, is 0.425, or 0.5 for steps up to 1/4.",
+              .source = "Yan et al. 2016, section 4: 1 / sqrt(8 ln 2)",
+              .access = at<[](auto& d) -> auto& { return d.mixture.kappa; }>(),
+              .matters = of_mixture},
+    Parameter{.path = "mixture.elements",
+              .label = "kind of elements",
+              .short_label = "Elements",
+              .kind = ParameterKind::choice,
+              .choices = k_choice_names<MixtureElements>,
+              .help = "Flat elements do not follow the map's slope; curved ones do; corrected ones besides lose the "
+                      "bias that its curvature gives them.",
+              .source = "Yan et al. 2016, section 4; corrected: this tool",
+              .access = at<[](auto& d) -> auto& { return d.mixture.elements; }>(),
+              .matters = of_mixture},
     Parameter{.path = "binning.samples",
               .label = "binning samples",
               .short_label = "Samples",

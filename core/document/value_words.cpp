@@ -42,6 +42,16 @@ std::optional<ParameterValue> whole_number_from(std::string_view words) {
   return std::nullopt;
 }
 
+// "0.25" or "1/4".
+std::optional<ParameterValue> fraction_from(std::string_view words) {
+  const std::size_t bar = words.find('/');
+  const std::optional<double> above = number_from<double>(trimmed(words.substr(0, bar)));
+  if (bar == std::string_view::npos || !above) return above ? std::optional<ParameterValue>(*above) : std::nullopt;
+  const std::optional<double> below = number_from<double>(trimmed(words.substr(bar + 1)));
+  if (!below || *below == 0) return std::nullopt;
+  return *above / *below;
+}
+
 std::optional<ParameterValue> numbers_from(std::string_view words) {
   std::vector<double> values;
   for (const std::string_view part : split(words)) {
@@ -55,8 +65,7 @@ std::optional<ParameterValue> numbers_from(std::string_view words) {
 std::optional<ParameterValue> typed_value(const Parameter& parameter, std::string_view words) {
   switch (parameter.kind) {
     case ParameterKind::number:
-      if (const auto number = number_from<double>(words)) return *number;
-      return std::nullopt;
+      return fraction_from(words);
     case ParameterKind::integer:
       return whole_number_from(words);
     case ParameterKind::flag:
@@ -80,7 +89,7 @@ std::optional<ParameterValue> typed_value(const Parameter& parameter, std::strin
 
 Result<ParameterValue> value_from_words(const Parameter& parameter, std::string_view words) {
   const std::string_view typed = trimmed(words);
-  if (parameter.may_be_none && typed == "none") return ParameterValue(std::monostate());
+  if (parameter.may_be_none && (typed == "none" || typed == "auto")) return ParameterValue(std::monostate());
   std::optional<ParameterValue> value = typed_value(parameter, typed);
   return parameter.checked(value ? *std::move(value) : ParameterValue(std::string(typed)));
 }

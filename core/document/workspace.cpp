@@ -27,6 +27,7 @@ ModelSettings settings_of(const Document& document) {
   ModelSettings settings;
   settings.exact.vertex_shift = document.exact_vertex_shift;
   settings.precision = document.exact_precision;
+  settings.mixture = document.mixture;
   settings.binned = {document.binning_samples, document.seed, document.grid.size};
   return settings;
 }

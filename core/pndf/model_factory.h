@@ -6,11 +6,12 @@
 #include "core/pndf/binned_pndf.h"
 #include "core/pndf/exact_pndf.h"
 #include "core/pndf/fast_exact_pndf.h"
+#include "core/pndf/mixture_pndf.h"
 #include "core/pndf/pndf_model.h"
 
 namespace glint {
 
-enum class PndfMethod { exact, binning };
+enum class PndfMethod { exact, mixture, binning };
 
 /// What exact evaluation computes in: FastExactPndf or ExactPndf.
 enum class ExactPrecision { single_precision, double_precision };
@@ -19,6 +20,7 @@ enum class ExactPrecision { single_precision, double_precision };
 struct ModelSettings {
   ExactSettings exact;
   ExactPrecision precision = ExactPrecision::single_precision;
+  MixtureSettings mixture;
   BinnedSettings binned;
 };
 

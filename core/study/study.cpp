@@ -114,7 +114,7 @@ Result<std::vector<StudyResult>> run_study(const Document& document, const Surfa
     if (!result) return cancelled;
     // A method of counts holds means over its cells and is held against such.
     const CellContent content = image.standard_error.empty() ? CellContent::point : CellContent::mean;
-    const std::pair wanted{settings.reference_surface.value_or(surface.interpolation()), content};
+    const std::pair wanted{settings.reference_surface.value_or(result->surface), content};
     if (!references.contains(wanted)) {
       const CellContent other = content == CellContent::point ? CellContent::mean : CellContent::point;
       const auto made_before = references.find({wanted.first, other});

@@ -25,6 +25,9 @@ PictureEntry entry_of(const Document& document, const MethodImage& m) {
   entry.title = choice_name(m.method);
   entry.detail = std::string(choice_name(m.surface)) + " surface";
   entry.caption = fmt::format("integral {:.5f}", integral(*m.image));
+  if (m.method == PndfMethod::mixture) {
+    entry.detail = fmt::format("h {:.4g}, {}", document.mixture.step, choice_name(document.mixture.elements));
+  }
   if (m.method == PndfMethod::binning) {
     entry.detail = fmt::format("{} samples", short_count(document.binning_samples));
     entry.caption += "   own noise " + noise_text(*m.image);

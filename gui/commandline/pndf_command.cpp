@@ -134,7 +134,7 @@ class PndfCommand final : public Command {
     say_what_the_images_are(document, made);
     if (Status written = write(document, made); !written) return written;
     if (options_.json()) {
-      print_result("{}\n", head(document, surface, image_results(made)).dump());
+      print_result("{}\n", head(document, surface, image_results(document, made)).dump());
     } else {
       print_table(made);
     }
@@ -181,7 +181,7 @@ class PndfCommand final : public Command {
     return written;
   }
 
-  [[nodiscard]] static Json image_results(const std::vector<ComputedImage>& made) {
+  [[nodiscard]] static Json image_results(const Document& document, const std::vector<ComputedImage>& made) {
     Json results = Json::array();
     for (const ComputedImage& m : made) {
       const glm::dvec2 mean = mean_normal(m.image);
@@ -192,6 +192,9 @@ class PndfCommand final : public Command {
                      {"mean", {mean.x, mean.y}},
                      {"image_ms", m.milliseconds},
                      {"widening", {m.image.widening.x, m.image.widening.y}}};
+      if (m.method == PndfMethod::mixture) {
+        result["kappa"] = document.mixture.kappa.value_or(automatic_kappa(document.mixture.step));
+      }
       if (m.method == PndfMethod::binning) {
         const bool known = m.image.error.kind == PndfError::Kind::estimated;
         result["own_noise"] = known ? Json(m.image.error.relative_l1) : Json();

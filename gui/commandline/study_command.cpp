@@ -27,6 +27,11 @@ Json settings_json(const Document& document, const StudyResult& result) {
   switch (result.method) {
     case PndfMethod::binning:
       return {{"samples", document.binning_samples}, {"seed", document.seed}};
+    case PndfMethod::mixture:
+      return {{"step", document.mixture.step},
+              {"kappa", document.mixture.kappa.value_or(automatic_kappa(document.mixture.step))},
+              {"elements", choice_name(document.mixture.elements)},
+              {"storage", "float"}};
     case PndfMethod::exact:
       break;
   }

@@ -165,7 +165,7 @@ void PndfJobs::compute_errors(const Run& run) {
   for (std::size_t k = 0; k < run.document.methods.size() && !run.steps.cancelled(); ++k) {
     const view::MethodPicture picture = board_.picture(k);
     const std::shared_ptr<const ReferenceImage> reference =
-        reference_for(run, content_of(*picture.image), picture.method);
+        reference_for(run, picture.surface, content_of(*picture.image), picture.method);
     if (!reference) return;
     if (picture.errors) continue;
     // Against a window that holds none of the P-NDF there is no relative error.
@@ -176,18 +176,22 @@ void PndfJobs::compute_errors(const Run& run) {
   }
 }
 
-std::shared_ptr<const ReferenceImage> PndfJobs::reference_for(const Run& run, CellContent content, PndfMethod method) {
-  const Surface& surface = run.surface->loaded.surface;
-  const ReferenceIdentity identity{surface.shared_map(), surface.interpolation(), run.document.intrinsic_roughness,
+std::shared_ptr<const ReferenceImage> PndfJobs::reference_for(const Run& run, Interpolation interpolation,
+                                                              CellContent content, PndfMethod method) {
+  const Surface surface(run.surface->loaded.surface.shared_map(), interpolation);
+  const ReferenceIdentity identity{surface.shared_map(), interpolation, run.document.intrinsic_roughness,
                                    run.document.footprint, run.grid};
-  std::erase_if(references_, [&](const KeptReference& kept) { return !(kept.identity == identity); });
-  const auto known = std::find_if(references_.begin(), references_.end(),
-                                  [&](const KeptReference& kept) { return kept.content == content; });
+  std::erase_if(references_, [&](const KeptReference& kept) { return !(kept.identity.on(interpolation) == identity); });
+  const auto same_surface = [&](const KeptReference& kept) { return kept.identity == identity; };
+  const auto known = std::find_if(references_.begin(), references_.end(), [&](const KeptReference& kept) {
+    return same_surface(kept) && kept.content == content;
+  });
   if (known != references_.end()) return known->reference;
   // That of the other content's need not be sought again. Means are held against counts, whose noise is larger than
   // what half the subdivision leaves: the change of the last step.
   std::optional<ReferenceRefinement> refinement;
-  if (!references_.empty()) refinement = references_.front().reference->refinement;
+  const auto other = std::find_if(references_.begin(), references_.end(), same_surface);
+  if (other != references_.end()) refinement = other->reference->refinement;
   if (refinement && content == CellContent::mean) refinement->subdivision = std::max(4, refinement->subdivision / 2);
   JobControl& control = run.steps.begin("measuring the error of " + std::string(choice_name(method)));
   std::optional<ReferenceImage> made =
@@ -196,7 +200,7 @@ std::shared_ptr<const ReferenceImage> PndfJobs::reference_for(const Run& run, Ce
   if (!made || run.steps.cancelled()) return nullptr;
   auto reference = std::make_shared<const ReferenceImage>(std::move(*made));
   references_.push_back({identity, content, reference});
-  board_.set_reference(shown_reference(identity));
+  board_.set_reference(shown_reference(identity.on(run.surface->loaded.surface.interpolation())));
   wake_();
   return reference;
 }

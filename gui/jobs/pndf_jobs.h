@@ -56,6 +56,13 @@ class PndfJobs {
     Footprint footprint;
     PndfGrid grid;
 
+    /// That of another surface over the same map.
+    [[nodiscard]] ReferenceIdentity on(Interpolation other) const {
+      ReferenceIdentity identity = *this;
+      identity.interpolation = other;
+      return identity;
+    }
+
     friend bool operator==(const ReferenceIdentity&, const ReferenceIdentity&) = default;
   };
   struct KeptReference {
@@ -78,7 +85,8 @@ class PndfJobs {
   void compute_picture(const Run& run, std::size_t index, bool coarse);
   bool report_fault(const Document& document, const Surface& surface, const PndfGrid& grid);
   [[nodiscard]] std::shared_ptr<const PndfImage> shown_reference(const ReferenceIdentity& identity) const;
-  std::shared_ptr<const ReferenceImage> reference_for(const Run& run, CellContent content, PndfMethod method);
+  std::shared_ptr<const ReferenceImage> reference_for(const Run& run, Interpolation surface, CellContent content,
+                                                      PndfMethod method);
 
   ErrorInbox& errors_;
   std::optional<RequestIdentity> requested_;

@@ -320,7 +320,8 @@ class Registrar {
       done();
     };
     method("compute.exact", "Exact", Key::digit_1, PndfMethod::exact);
-    method("compute.binning", "Binning", Key::digit_2, PndfMethod::binning);
+    method("compute.mixture", "Mixture", Key::digit_2, PndfMethod::mixture);
+    method("compute.binning", "Binning", Key::digit_3, PndfMethod::binning);
     const auto surface = [&](const char* name, const char* title, Key key, std::optional<Interpolation> which) {
       Action* s =
           &add("Compute", name, title, shift(key), "Chooses the surface between the map's samples.",

@@ -23,7 +23,15 @@ bool is_on(const Document& document, PndfMethod method) {
 }
 
 std::string_view title(PndfMethod method) {
-  return method == PndfMethod::exact ? "Exact" : "Binning";
+  switch (method) {
+    case PndfMethod::mixture:
+      return "Mixture";
+    case PndfMethod::binning:
+      return "Binning";
+    case PndfMethod::exact:
+      break;
+  }
+  return "Exact";
 }
 
 // Box, mark and name; returns the room to their right.
@@ -81,6 +89,15 @@ void exact_rows(FieldPage& page, Interpolation now) {
             {.reason = is_on(page.document, PndfMethod::exact) ? "" : "The exact method is off."});
 }
 
+void mixture_rows(FieldPage& page) {
+  const std::string reason = is_on(page.document, PndfMethod::mixture) ? "" : "The mixture method is off.";
+  const Rectangle row = take_row(page);
+  number_controls(page, field("mixture.step"), method_name(page, row, PndfMethod::mixture), {.reason = reason});
+  reset_control(page, field("mixture.step"), row);
+  field_row(page, field("mixture.elements"), {.reason = reason});
+  field_row(page, field("mixture.kappa"), {.reason = reason});
+}
+
 void binning_rows(FieldPage& page) {
   const std::string reason = is_on(page.document, PndfMethod::binning) ? "" : "The binning method is off.";
   const Rectangle row = take_row(page);
@@ -99,6 +116,7 @@ Interpolation interpolation_on(const Document& document, const NormalMap* map) {
 void method_rows(FieldPage& page, const Rectangle& header, const NormalMap* map) {
   reset_control(page, field("methods"), header);
   exact_rows(page, interpolation_on(page.document, map));
+  mixture_rows(page);
   binning_rows(page);
 }
 

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "core/document/names.h"
 #include "viewers/pndf/color_bar.h"
 #include "viewers/pndf/pndf_columns.h"
 #include "viewers/pndf/pndf_crosshair.h"
@@ -58,6 +59,12 @@ std::string surface_name(const PndfResults* results) {
 std::string setting_text(const PndfInput& input, PndfMethod method, bool compact) {
   if (method == PndfMethod::binning) {
     return count_text(input.document.binning_samples) + (compact ? "" : " samples");
+  }
+  if (method == PndfMethod::mixture) {
+    const MixtureSettings& mixture = input.document.mixture;
+    const std::string step = "h " + short_number_text(mixture.step, 3);
+    const bool plain = mixture.elements == MixtureElements::corrected || compact;
+    return plain ? step : step + ", " + std::string(choice_name(mixture.elements));
   }
   const std::string surface = surface_name(input.results.get());
   const bool in_double = input.document.exact_precision == ExactPrecision::double_precision;
@@ -221,8 +228,8 @@ MethodColumn PndfView::State::method_column(Ui& ui, const PndfInput& input, cons
   MethodColumn column;
   column.method = method;
   column.setting = setting_text(input, method, layout.compact());
-  column.surface = surface_name(input.results.get());
   column.picture = picture_of(input.results.get(), method);
+  column.surface = choice_name(column.picture != nullptr ? column.picture->surface : Interpolation::smooth);
   column.state.nothing = input.nothing_because;
   column.state.offers_restart = method == restart_offer(input);
   column.state.first = method == input.document.methods.front();

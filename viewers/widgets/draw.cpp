@@ -136,6 +136,10 @@ void draw_mark(ImDrawList& list, PndfMethod method, ImVec2 center, float radius)
       list.AddRect({a.x - 0.5F, a.y - 0.5F}, {b.x + 0.5F, b.y + 0.5F}, edge);
       break;
     }
+    case PndfMethod::mixture:
+      list.AddCircleFilled(center, 0.9F * radius, ink, 16);
+      list.AddCircle(center, 0.9F * radius, edge, 16);
+      break;
     case PndfMethod::binning: {
       const float half = 0.95F * radius;
       const std::array points{ImVec2(center.x, center.y - radius), ImVec2(center.x + half, center.y + 0.72F * radius),

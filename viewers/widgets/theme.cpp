@@ -87,6 +87,8 @@ ImU32 method_color(PndfMethod method) {
   switch (method) {
     case PndfMethod::exact:
       return rgb(0xF2F2F2);
+    case PndfMethod::mixture:
+      return rgb(0x4093FF);
     case PndfMethod::binning:
       return rgb(0x269960);
   }

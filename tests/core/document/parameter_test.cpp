@@ -34,17 +34,18 @@ std::string set_error(std::string_view path, const ParameterValue& value) {
 TEST(Parameters, AreTheFieldsThatTheDesignNames) {
   std::vector<std::string> paths;
   for (const Parameter& p : parameters()) paths.emplace_back(p.path);
-  EXPECT_THAT(paths,
-              testing::ElementsAre(
-                  "name", "surface.source", "surface.path", "surface.range", "surface.green", "surface.height_scale",
-                  "surface.wrap", "surface.interpolation", "surface.generator.size", "surface.generator.seed",
-                  "surface.generator.spectrum", "surface.generator.rms_slope", "surface.generator.correlation_length",
-                  "surface.generator.wavelengths", "surface.generator.count", "surface.generator.length",
-                  "surface.generator.half_width", "surface.generator.flank_slope", "surface.generator.direction",
-                  "surface.generator.spread", "surface.generator.blur", "surface.generator.dent_rms_slope",
-                  "footprint.center", "footprint.covariance", "intrinsic_roughness", "methods", "exact.vertex_shift",
-                  "exact.precision", "binning.samples", "grid.size", "grid.window", "seed", "view.density_scale",
-                  "view.density_range", "view.difference_range", "view.map_colors"));
+  EXPECT_THAT(
+      paths,
+      testing::ElementsAre(
+          "name", "surface.source", "surface.path", "surface.range", "surface.green", "surface.height_scale",
+          "surface.wrap", "surface.interpolation", "surface.generator.size", "surface.generator.seed",
+          "surface.generator.spectrum", "surface.generator.rms_slope", "surface.generator.correlation_length",
+          "surface.generator.wavelengths", "surface.generator.count", "surface.generator.length",
+          "surface.generator.half_width", "surface.generator.flank_slope", "surface.generator.direction",
+          "surface.generator.spread", "surface.generator.blur", "surface.generator.dent_rms_slope", "footprint.center",
+          "footprint.covariance", "intrinsic_roughness", "methods", "exact.vertex_shift", "exact.precision",
+          "mixture.step", "mixture.kappa", "mixture.elements", "binning.samples", "grid.size", "grid.window", "seed",
+          "view.density_scale", "view.density_range", "view.difference_range", "view.map_colors"));
 }
 
 TEST(Parameters, HaveUniquePathsAndSayWhatTheyDoAndWhoDefinedThem) {
@@ -131,7 +132,7 @@ TEST(Parameters, ReachTheMembersTheyName) {
   EXPECT_EQ(document.surface.scratches.length, glm::dvec2(33.3, 444.4));
   EXPECT_EQ(document.footprint.center, glm::dvec2(-123456.789, 1e-5));
   EXPECT_EQ(document.footprint.covariance, (SymmetricMatrix2{1e9, -0.3, 2.0 / 3.0}));
-  EXPECT_EQ(document.methods, (std::vector{PndfMethod::binning, PndfMethod::exact}));
+  EXPECT_EQ(document.methods, (std::vector{PndfMethod::binning, PndfMethod::mixture, PndfMethod::exact}));
   EXPECT_EQ(document.grid.window, glm::dvec4(-1, -0.1, 0.30000000000000004, 1.5));
   EXPECT_EQ(document.seed, 9007199254740993U);
   EXPECT_TRUE(document.exact_vertex_shift);
@@ -162,7 +163,8 @@ TEST(Parameters, RefuseWhatIsOutOfRangeAndSayWhatIsAllowed) {
             "seed: is 1.8446744073709552e+19; allowed: a whole number from 0 to 18446744073709551615");
   EXPECT_EQ(set_error("surface.wrap", "mirror"), "surface.wrap: is \"mirror\"; allowed: \"repeat\", \"clamp\"");
   EXPECT_EQ(set_error("methods", test::Texts{"exact", "exact"}),
-            "methods: is [\"exact\", \"exact\"]; allowed: a list of \"exact\", \"binning\", at least one, none twice");
+            "methods: is [\"exact\", \"exact\"]; allowed: a list of \"exact\", \"mixture\", \"binning\", at least one, "
+            "none twice");
   EXPECT_THAT(set_error("methods", test::Texts{}), StartsWith("methods: is []; allowed: "));
   EXPECT_THAT(set_error("methods", "exact"), StartsWith("methods: is \"exact\"; allowed: a list of "));
   EXPECT_EQ(

@@ -43,7 +43,7 @@ TEST(ShippedPresets, HoldWhatTheirNamesPromise) {
   const Result<Document> flat = load_preset(k_shipped / "flat-oracle.json");
   ASSERT_TRUE(steel && noise && flat);
   EXPECT_EQ(steel->surface.source, SurfaceSource::scratches);
-  EXPECT_EQ(steel->methods, (std::vector{PndfMethod::exact, PndfMethod::binning}));
+  EXPECT_EQ(steel->methods, (std::vector{PndfMethod::exact, PndfMethod::mixture, PndfMethod::binning}));
   EXPECT_EQ(noise->surface.noise.spectrum, NoiseSettings::Spectrum::band);
   EXPECT_EQ(noise->surface.noise.wavelengths, glm::dvec2(8, 32));
   EXPECT_EQ(noise->surface.noise.rms_slope, 0.15);

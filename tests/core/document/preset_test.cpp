@@ -194,7 +194,7 @@ TEST(Recipe, KeepsEveryFieldThatMatters) {
       }
     }
   }
-  EXPECT_EQ(kept, 6U * 12U + 2U * 4U + 4U * 2U + 2U * 3U + 2U * 8U);  // always, file, any generator, noise, scratches
+  EXPECT_EQ(kept, 6U * 15U + 2U * 4U + 4U * 2U + 2U * 3U + 2U * 8U);  // always, file, any generator, noise, scratches
 }
 
 TEST(Recipe, EqualDocumentsGiveEqualBytes) {
@@ -252,7 +252,8 @@ TEST(PresetErrors, SayWhatIsAllowedWhereTheValueStands) {
   EXPECT_EQ(fault_of(preset_with("\"exact\": {\"vertex_shift\": 1}")),
             "p.json:3:29: field 'exact.vertex_shift': is 1; allowed: true or false");
   EXPECT_EQ(fault_of(preset_with("\"methods\": [true]")),
-            "p.json:3:14: field 'methods': is [true]; allowed: a list of \"exact\", \"binning\", at least one, none "
+            "p.json:3:14: field 'methods': is [true]; allowed: a list of \"exact\", \"mixture\", \"binning\", at least "
+            "one, none "
             "twice");
   EXPECT_EQ(fault_of(preset_with("\"intrinsic_roughness\": [0.1]")),
             "p.json:3:26: field 'intrinsic_roughness': is [0.1]; allowed: a number from 1e-09 to 1");
@@ -260,14 +261,14 @@ TEST(PresetErrors, SayWhatIsAllowedWhereTheValueStands) {
             "p.json:3:20: field 'grid.size': is -4; allowed: a whole number from 1 to 16384");
   EXPECT_EQ(fault_of(preset_with("\"surface\":\n\t{\"wrap\":\n\"mirror\"}")),
             "p.json:5:1: field 'surface.wrap': is \"mirror\"; allowed: \"repeat\", \"clamp\"");
-  EXPECT_EQ(
-      fault_of(preset_with("\"methods\": [\"exact\", 3]")),
-      "p.json:3:14: field 'methods': is [\"exact\", 3]; allowed: a list of \"exact\", \"binning\", at least one, none "
-      "twice");
-  EXPECT_EQ(
-      fault_of(preset_with("\"methods\": [[\"exact\"], {\"a\": [1]}]")),
-      "p.json:3:14: field 'methods': is [[\"exact\"], {\"a\": [1]}]; allowed: a list of \"exact\", \"binning\", at "
-      "least one, none twice");
+  EXPECT_EQ(fault_of(preset_with("\"methods\": [\"exact\", 3]")),
+            "p.json:3:14: field 'methods': is [\"exact\", 3]; allowed: a list of \"exact\", \"mixture\", \"binning\", "
+            "at least one, none "
+            "twice");
+  EXPECT_EQ(fault_of(preset_with("\"methods\": [[\"exact\"], {\"a\": [1]}]")),
+            "p.json:3:14: field 'methods': is [[\"exact\"], {\"a\": [1]}]; allowed: a list of \"exact\", \"mixture\", "
+            "\"binning\", at "
+            "least one, none twice");
   EXPECT_THAT(fault_of(preset_with("\"methods\": [\"exact\", \"exactly\"]")), HasSubstr("is [\"exact\", \"exactly\"]"));
   EXPECT_THAT(fault_of(preset_with("\"name\": \"" + std::string(9000, 'x') + "\"")),
               StartsWith("p.json:3:11: field 'name': is \"xxxxxxxxxx"));

@@ -11,6 +11,7 @@
 
 #include "core/pndf/fast_exact_pndf.h"
 #include "core/pndf/fitted_window.h"
+#include "tests/core/pndf/chi_square.h"
 #include "tests/core/pndf/instruction_set_guard.h"
 #include "tests/core/pndf/test_maps.h"
 
@@ -155,59 +156,6 @@ TEST(NormalBounds, TakeLittleMoreThanAByteATexel) {
   EXPECT_LE(static_cast<double>(NormalBounds::bytes_for(cells)), 1.07 * 256 * 256);
 }
 
-// Pearson's statistic of drawn normals in the cells of the fitted window, as a standard normal deviate
-// (Wilson and Hilferty).
-double chi_square_deviate(const PndfModel& model, const Surface& surface, const Footprint& footprint,
-                          double roughness) {
-  constexpr int k_cells = 20;
-  constexpr int k_draws = 100'000;
-  const PndfGrid grid = fitted_window(surface, footprint, roughness, k_cells);
-  // The mass of each cell from 16 x 16 means within it.
-  PndfGrid fine = grid;
-  fine.columns = fine.rows = 16 * k_cells;
-  const PndfImage image = test::image_of(model, footprint, fine);
-  std::vector<double> expected(k_cells * k_cells + 1);
-  for (int row = 0; row < fine.rows; ++row) {
-    for (int column = 0; column < fine.columns; ++column) {
-      expected[static_cast<std::size_t>(row / 16 * k_cells + column / 16)] +=
-          k_draws * image.density[fine.index(column, row)] * fine.cell_area();
-    }
-  }
-  double inside = 0;
-  for (const double mass : expected) inside += mass;
-  expected.back() = std::max(0.0, k_draws - inside);
-  std::vector<double> drawn(expected.size());
-  PndfWorkspace workspace;
-  const FootprintPndf& pndf = model.at(footprint, workspace);
-  RandomStream random(31, 17);
-  for (int k = 0; k < k_draws; ++k) {
-    const glm::dvec2 s = pndf.sample(random);
-    const int column = static_cast<int>(std::floor((s.x - grid.s_min) / grid.pitch().x));
-    const int row = static_cast<int>(std::floor((grid.t_max - s.y) / grid.pitch().y));
-    const bool held = column >= 0 && row >= 0 && column < k_cells && row < k_cells;
-    ++drawn[held ? static_cast<std::size_t>(row * k_cells + column) : drawn.size() - 1];
-  }
-  double statistic = 0;
-  int freedom = -1;
-  double rare_expected = 0;
-  double rare_drawn = 0;
-  for (std::size_t k = 0; k < expected.size(); ++k) {
-    if (expected[k] < 10) {
-      rare_expected += expected[k];
-      rare_drawn += drawn[k];
-      continue;
-    }
-    statistic += (drawn[k] - expected[k]) * (drawn[k] - expected[k]) / expected[k];
-    ++freedom;
-  }
-  if (rare_expected > 10) {
-    statistic += (rare_drawn - rare_expected) * (rare_drawn - rare_expected) / rare_expected;
-    ++freedom;
-  }
-  const double share = 2.0 / (9.0 * freedom);
-  return (std::cbrt(statistic / freedom) - (1 - share)) / std::sqrt(share);
-}
-
 TEST(ExactSampling, DrawsNormalsWithTheirDensityOnTenFootprints) {
   const Surface surface(test::rough_map(64, 64, Wrap::repeat, 0.1), Interpolation::linear);
   const FastExactPndf model(surface, 0.02);
@@ -217,7 +165,11 @@ TEST(ExactSampling, DrawsNormalsWithTheirDensityOnTenFootprints) {
     const double large = 0.3 + 6 * random.next_uniform();
     const double small = large * (0.1 + 0.9 * random.next_uniform());
     const Footprint footprint = test::turned_footprint(center, large, small, 3 * random.next_uniform());
-    EXPECT_LE(chi_square_deviate(model, surface, footprint, 0.02), 3.5) << k;
+    PndfWorkspace workspace;
+    const FootprintPndf& pndf = model.at(footprint, workspace);
+    const PndfGrid grid = fitted_window(surface, footprint, 0.02, test::k_chi_square_cells);
+    const PndfImage fine = test::image_of(model, footprint, test::finer(grid));
+    EXPECT_LE(test::chi_square_deviate(pndf, grid, fine), 3.5) << k;
   }
 }
 

@@ -1,0 +1,201 @@
+#include "core/pndf/mixture_row_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/surface/catmull_rom.h"
+
+namespace glint {
+namespace {
+
+constexpr double k_uniform = 0.81;     // squared deviations over the squared side: exp(-2 pi^2 0.81) = 1e-7 is left
+constexpr std::size_t k_padding = 32;  // vectors reach beyond the last seed and its texels
+
+// Where a seed stands among the texels along one axis, and what it takes of four of them from `first` on.
+struct SeedWeights {
+  std::int64_t first;
+  CubicWeights value{};
+  CubicWeights slope{};
+  CubicWeights bend{};
+};
+
+SeedWeights seed_weights(double u, bool piecewise_constant) {
+  if (piecewise_constant) return {static_cast<std::int64_t>(std::floor(u)), {1, 0, 0, 0}};
+  const double cell = std::floor(u - 0.5);
+  const double x = u - 0.5 - cell;
+  return {static_cast<std::int64_t>(cell) - 1, catmull_rom(x), catmull_rom_derivative(x),
+          catmull_rom_second_derivative(x)};
+}
+
+SymmetricMatrix2 plus_identity(const SymmetricMatrix2& m, double amount) {
+  return {m.xx + amount, m.xy, m.yy + amount};
+}
+
+SymmetricMatrix2 scaled(const SymmetricMatrix2& m, double factor) {
+  return {m.xx * factor, m.xy * factor, m.yy * factor};
+}
+
+double squared_side(const NormalMap& map) {
+  const double side = std::max(map.width(), map.height());
+  return side * side;
+}
+
+// h for which seeds stand at the same places of every texel, or 0.
+std::int64_t seeds_per_texel(double step) {
+  const double seeds = 1 / step;
+  const double whole = std::round(seeds);
+  return whole >= 1 && std::abs(seeds - whole) < 1e-9 ? static_cast<std::int64_t>(whole) : 0;
+}
+
+void resize(SeedRun& run, std::size_t size) {
+  run.texel.resize(size);
+  run.offset.resize(size);
+  for (auto* weights : {&run.value, &run.slope, &run.bend}) {
+    for (std::vector<float>& of_tap : *weights) of_tap.resize(size);
+  }
+}
+
+}  // namespace
+
+MixtureFrame::MixtureFrame(const Surface& surface, const MixtureSettings& settings, const Footprint& footprint,
+                           glm::dvec2 normal_roughness, double joint_cut)
+    : map(&surface.map()),
+      piecewise_constant(surface.interpolation() == Interpolation::constant),
+      elements(settings.elements),
+      lattice(surface.map(), settings),
+      center(footprint.center),
+      roughness(normal_roughness),
+      cut(joint_cut),
+      widened(plus_identity(footprint.covariance, lattice.deviation * lattice.deviation)),
+      uniform(surface.map().wrap() == Wrap::repeat &&
+              eigenvalues(footprint.covariance).y >= k_uniform * squared_side(surface.map())),
+      whitening(glint::whitening(widened)) {
+  const double squared = lattice.deviation * lattice.deviation;
+  if (uniform) {
+    whitening = {0, 0, 0};
+    drift = {0, 0, 0};
+    spread = {squared, 0, squared};
+    weight = lattice.area() / (2 * std::numbers::pi * map->width() * map->height());
+    return;
+  }
+  const double whole = determinant(widened);
+  drift = scaled({widened.yy, -widened.xy, widened.xx}, squared / whole);
+  spread = scaled(plus_identity(scaled(drift, -1), 1), squared);
+  weight = lattice.area() / (4 * std::numbers::pi * std::numbers::pi * std::sqrt(whole));
+}
+
+namespace {
+
+MixtureFrame::Seeds seeds_within(double center, double reach, double step) {
+  return {static_cast<std::int64_t>(std::ceil((center - reach) / step - 0.5)),
+          static_cast<std::int64_t>(std::floor((center + reach) / step - 0.5))};
+}
+
+// Those of one period.
+MixtureFrame::Seeds all_seeds(int size, double step) {
+  return {0, static_cast<std::int64_t>(std::round(size / step)) - 1};
+}
+
+}  // namespace
+
+MixtureFrame::Seeds MixtureFrame::rows() const {
+  if (uniform) return all_seeds(map->height(), lattice.step.y);
+  return seeds_within(center.y, cut * std::sqrt(widened.yy), lattice.step.y);
+}
+
+MixtureFrame::Seeds MixtureFrame::columns() const {
+  if (uniform) return all_seeds(map->width(), lattice.step.x);
+  return seeds_within(center.x, cut * std::sqrt(widened.xx), lattice.step.x);
+}
+
+double MixtureFrame::elements_within() const {
+  const double reached = uniform ? static_cast<double>(map->width()) * map->height()
+                                 : std::numbers::pi * cut * cut * std::sqrt(determinant(widened));
+  return reached / lattice.area();
+}
+
+double MixtureFrame::kept() const {
+  // Of the joint Gaussian in four dimensions, or of that in s alone.
+  const double half = 0.5 * cut * cut;
+  return 1 - std::exp(-half) * (uniform ? 1 : 1 + half);
+}
+
+MixtureRows::State::State(const MixtureFrame& of) : frame(of), window_(of.widened) {
+  const auto [first, last] = frame.columns();
+  add_seeds(first, last);
+  for (CombinedRow& row : combined) {
+    for (std::vector<float>* part : {&row.value, &row.slope, &row.bend}) part->resize(texel_count_);
+  }
+  for (KeptRow& row : kept_) {
+    for (std::vector<float>& texels : row.texels) texels.resize(texel_count_);
+  }
+}
+
+void MixtureRows::State::add_seeds(std::int64_t first, std::int64_t last) {
+  if (first > last) return;
+  const double step = frame.lattice.step.x;
+  const auto weights_of = [&](std::int64_t seed) {
+    return seed_weights((static_cast<double>(seed) + 0.5) * step, frame.piecewise_constant);
+  };
+  first_texel_ = weights_of(first).first;
+  texel_count_ = static_cast<std::size_t>(weights_of(last).first - first_texel_) + 4 + k_padding;
+  const std::int64_t phases = std::max<std::int64_t>(seeds_per_texel(step), 1);
+  for (std::int64_t phase = 0; phase < phases; ++phase) {
+    SeedRun run{};
+    run.contiguous = seeds_per_texel(step) > 0;
+    resize(run, static_cast<std::size_t>((last - first) / phases + 1) + k_padding);
+    for (std::int64_t seed = first + phase; seed <= last; seed += phases) {
+      const SeedWeights weights = weights_of(seed);
+      const std::size_t k = run.count++;
+      run.texel[k] = static_cast<std::int32_t>(weights.first - first_texel_);
+      run.offset[k] = static_cast<float>((static_cast<double>(seed) + 0.5) * step - frame.center.x);
+      for (std::size_t tap = 0; tap < 4; ++tap) {
+        run.value[tap][k] = static_cast<float>(weights.value[tap]);
+        run.slope[tap][k] = static_cast<float>(weights.slope[tap]);
+        run.bend[tap][k] = static_cast<float>(weights.bend[tap]);
+      }
+    }
+    most_elements_ += run.count + k_padding;
+    runs.push_back(std::move(run));
+  }
+}
+
+std::optional<RowPlan> MixtureRows::State::plan(std::int64_t row) {
+  const double v = (static_cast<double>(row) + 0.5) * frame.lattice.step.y;
+  const double offset = frame.uniform ? 0 : v - frame.center.y;
+  const std::optional<Interval> columns = window_.columns({offset, offset}, frame.cut);
+  if (!columns) return std::nullopt;
+  for (SeedRun& run : runs) {
+    if (frame.uniform) {
+      run.last = run.count;
+      continue;
+    }
+    const auto begin = run.offset.begin();
+    const auto end = begin + static_cast<std::ptrdiff_t>(run.count);
+    run.first = static_cast<std::size_t>(std::lower_bound(begin, end, static_cast<float>(columns->lo)) - begin);
+    run.last = static_cast<std::size_t>(std::upper_bound(begin, end, static_cast<float>(columns->hi)) - begin);
+  }
+  const SeedWeights weights = seed_weights(v, frame.piecewise_constant);
+  const auto floats = [](const CubicWeights& w) {
+    return std::array<float, 4>{static_cast<float>(w[0]), static_cast<float>(w[1]), static_cast<float>(w[2]),
+                                static_cast<float>(w[3])};
+  };
+  return RowPlan{
+      weights.first, {floats(weights.value), floats(weights.slope), floats(weights.bend)}, static_cast<float>(offset)};
+}
+
+const float* MixtureRows::State::texel_row(std::int64_t j, std::size_t axis) {
+  KeptRow& kept = kept_[static_cast<std::size_t>(j & 3)];
+  if (kept.row != j) {
+    kept.row = j;
+    for (std::size_t k = 0; k < texel_count_; ++k) {
+      const glm::vec2 n = frame.map->texel(first_texel_ + static_cast<std::int64_t>(k), j);
+      kept.texels[0][k] = n.x;
+      kept.texels[1][k] = n.y;
+    }
+  }
+  return kept.texels[axis].data();
+}
+
+}  // namespace glint

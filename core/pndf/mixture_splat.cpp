@@ -1,0 +1,200 @@
+#include "core/pndf/mixture_splat.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/pndf/mixture_splat.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "core/math/simd_math-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint::HWY_NAMESPACE {
+namespace {
+
+// Cells that one vector takes: two rows of them where that leaves four columns.
+constexpr int k_tile_rows = k_lanes >= 8 ? 2 : 1;
+constexpr int k_tile_columns = k_lanes / k_tile_rows;
+
+HWY_INLINE void add_tile(V values, float* out, [[maybe_unused]] std::ptrdiff_t stride) {
+#if HWY_MAX_BYTES >= 32 && HWY_TARGET != HWY_SCALAR
+  const hn::FixedTag<float, k_tile_columns> row;
+  hn::StoreU(hn::Add(hn::LoadU(row, out), hn::LowerHalf(row, values)), row, out);
+  hn::StoreU(hn::Add(hn::LoadU(row, out + stride), hn::UpperHalf(row, values)), row, out + stride);
+#else
+  const Floats d;
+  hn::StoreU(hn::Add(hn::LoadU(d, out), values), d, out);
+#endif
+}
+
+// One element in cells of the image: the density at (x, y) from its middle is
+// amplitude 2^(q_xx x^2 + q_xy x y + q_yy y^2).
+struct CellElement {
+  float x, y;
+  float xx, xy, yy;  // covariance
+  float q_xx, q_xy, q_yy;
+  float amplitude;
+  float room;
+};
+
+class Splat {
+ public:
+  explicit Splat(MixtureCanvas& canvas) : canvas_(canvas), columns_(canvas.grid().columns), rows_(canvas.grid().rows) {
+    for (int k = 0; k < k_lanes; ++k) {
+      lane_x_[static_cast<std::size_t>(k)] = static_cast<float>(k % k_tile_columns);
+      const int row = k / k_tile_columns;
+      lane_y_[static_cast<std::size_t>(k)] = static_cast<float>(row);
+      counting_[static_cast<std::size_t>(k)] = static_cast<float>(k);
+    }
+  }
+
+  HWY_INLINE void add(const CellElement& e) {
+    const float reach = std::sqrt(e.room * e.yy);
+    // Clamped as floats: an element may be anywhere.
+    const auto first = static_cast<int>(std::clamp(std::ceil(e.y - reach), 0.0F, static_cast<float>(rows_)));
+    const auto last = static_cast<int>(std::clamp(std::floor(e.y + reach), -1.0F, static_cast<float>(rows_ - 1)));
+    const Floats d;
+    const V lane_x = hn::LoadU(d, lane_x_.data());
+    const V lane_y = hn::LoadU(d, lane_y_.data());
+    for (int begin = first; begin <= last; begin += k_rows_at_once) {
+      const int count = std::min(k_rows_at_once, last - begin + 1);
+      find_columns(e, begin, count);
+      for (int row = 0; row < count; row += k_tile_rows) {
+        const auto at = static_cast<std::size_t>(row);
+        float from = first_columns_[at];
+        float to = last_columns_[at];
+        if (k_tile_rows == 2 && row + 1 < count) {
+          from = std::min(from, first_columns_[at + 1]);
+          to = std::max(to, last_columns_[at + 1]);
+        }
+        from = std::max(from, 0.0F);
+        to = std::min(to, static_cast<float>(columns_ - 1));
+        if (!(from <= to)) continue;
+        add_row(e, begin + row, static_cast<int>(from), static_cast<int>(to), lane_x, lane_y);
+      }
+    }
+  }
+
+ private:
+  static constexpr int k_rows_at_once = 16;
+
+  // Of rows begin, begin + 1, …: the columns of the ellipse, of none where it does not reach the row.
+  HWY_INLINE void find_columns(const CellElement& e, int begin, int count) {
+    const Floats d;
+    const float inverse_yy = 1 / e.yy;
+    const float slope = e.xy * inverse_yy;
+    const float across = std::max(e.xx - e.xy * slope, 0.0F);
+    for (int row = 0; row < count; row += k_lanes) {
+      const V dy = hn::Add(hn::LoadU(d, counting_.data()), hn::Set(d, static_cast<float>(begin + row) - e.y));
+      const V left = hn::NegMulAdd(hn::Mul(dy, dy), hn::Set(d, inverse_yy), hn::Set(d, e.room));
+      const V half = hn::Sqrt(hn::Max(hn::Mul(left, hn::Set(d, across)), hn::Zero(d)));
+      const V middle = hn::MulAdd(dy, hn::Set(d, slope), hn::Set(d, e.x));
+      hn::StoreU(hn::Ceil(hn::Sub(middle, half)), d, first_columns_.data() + row);
+      hn::StoreU(hn::Floor(hn::Add(middle, half)), d, last_columns_.data() + row);
+    }
+  }
+
+  // Cells from .. to of one or two rows.
+  HWY_INLINE void add_row(const CellElement& e, int row, int from, int to, V lane_x, V lane_y) {
+    const Floats d;
+    const V y = hn::Add(lane_y, hn::Set(d, static_cast<float>(row) - e.y));
+    const V constant = hn::Mul(hn::Mul(y, y), hn::Set(d, e.q_yy));
+    const V linear = hn::Mul(y, hn::Set(d, e.q_xy));
+    const V square = hn::Set(d, e.q_xx);
+    const V amplitude = hn::Set(d, e.amplitude);
+    float* out = canvas_.row(row);
+    V x = hn::Add(lane_x, hn::Set(d, static_cast<float>(from) - e.x));
+    for (int column = from; column <= to; column += k_tile_columns) {
+      const V exponent = hn::MulAdd(x, hn::MulAdd(x, square, linear), constant);
+      const V value = hn::Mul(amplitude, rough_exp2_of_negative(exponent));
+      add_tile(value, out + column, canvas_.stride());
+      x = hn::Add(x, hn::Set(d, static_cast<float>(k_tile_columns)));
+    }
+  }
+
+  std::array<float, static_cast<std::size_t>(k_lanes)> lane_x_{};
+  std::array<float, static_cast<std::size_t>(k_lanes)> lane_y_{};
+  std::array<float, static_cast<std::size_t>(k_lanes)> counting_{};
+  std::array<float, std::size_t{2} * k_rows_at_once> first_columns_{};
+  std::array<float, std::size_t{2} * k_rows_at_once> last_columns_{};
+  MixtureCanvas& canvas_;
+  int columns_;
+  int rows_;
+};
+
+}  // namespace
+
+void splat_all(const ElementList& elements, MixtureCanvas& canvas) {
+  const Floats d;
+  const PndfGrid& grid = canvas.grid();
+  const glm::dvec2 pitch = grid.pitch();
+  const auto per_x = static_cast<float>(1 / pitch.x);
+  const auto per_y = static_cast<float>(1 / pitch.y);
+  const auto start_x = static_cast<float>(-grid.s_min / pitch.x - 0.5);
+  const auto start_y = static_cast<float>(grid.t_max / pitch.y - 0.5);
+  constexpr float k_log2e = 1.44269504F;
+  Splat splat(canvas);
+  for (std::size_t first = 0; first < elements.count; first += static_cast<std::size_t>(k_lanes)) {
+    const auto load = [&](const std::vector<float>& field) HWY_ATTR { return hn::LoadU(d, field.data() + first); };
+    // In cells; rows run down.
+    const V xx = hn::Mul(load(elements.xx), hn::Set(d, per_x * per_x));
+    const V xy = hn::Mul(load(elements.xy), hn::Set(d, -per_x * per_y));
+    const V yy = hn::Mul(load(elements.yy), hn::Set(d, per_y * per_y));
+    const V inverse = hn::Div(hn::Set(d, -0.5F * k_log2e),
+                              hn::Mul(load(elements.determinant), hn::Set(d, per_x * per_x * per_y * per_y)));
+    struct alignas(64) Lanes {
+      std::array<float, static_cast<std::size_t>(k_lanes)> of;
+    };
+    std::array<Lanes, 10> fields;
+    const auto keep = [&](std::size_t k, V values) HWY_ATTR { hn::Store(values, d, fields[k].of.data()); };
+    keep(0, hn::MulAdd(load(elements.x), hn::Set(d, per_x), hn::Set(d, start_x)));
+    keep(1, hn::NegMulAdd(load(elements.y), hn::Set(d, per_y), hn::Set(d, start_y)));
+    keep(2, xx);
+    keep(3, xy);
+    keep(4, yy);
+    keep(5, hn::Mul(yy, inverse));
+    keep(6, hn::Mul(hn::Mul(hn::Set(d, -2), xy), inverse));
+    keep(7, hn::Mul(xx, inverse));
+    keep(8, load(elements.amplitude));
+    keep(9, load(elements.room));
+    const std::size_t count = std::min(elements.count - first, static_cast<std::size_t>(k_lanes));
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto of = [&](std::size_t field) { return fields[field].of[k]; };
+      splat.add({of(0), of(1), of(2), of(3), of(4), of(5), of(6), of(7), of(8), of(9)});
+    }
+  }
+}
+
+}  // namespace glint::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace glint {
+
+HWY_EXPORT(splat_all);
+
+MixtureCanvas::MixtureCanvas(const PndfGrid& grid)
+    : grid_(grid),
+      stride_(grid.columns + k_padding),
+      values_(static_cast<std::size_t>(stride_) * (static_cast<std::size_t>(grid.rows) + 1) + k_padding) {}
+
+void MixtureCanvas::add_to(std::vector<double>& density, double factor) const {
+  for (int row = 0; row < grid_.rows; ++row) {
+    const float* from = values_.data() + row * stride_;
+    double* to = density.data() + grid_.index(0, row);
+    for (int column = 0; column < grid_.columns; ++column) to[column] += factor * static_cast<double>(from[column]);
+  }
+}
+
+void splat_elements(const ElementList& elements, MixtureCanvas& canvas) {
+  HWY_DYNAMIC_DISPATCH(splat_all)(elements, canvas);
+}
+
+}  // namespace glint
+
+#endif  // once
