@@ -26,65 +26,78 @@ namespace {
 // of the image; (ox, oy) is the right angle's offset.
 inline SplatTriangle factorise(const SplatFrame& frame, float ox, float oy, float du, float dv,
                                const std::array<float, 3>& x, const std::array<float, 3>& y) {
-  const float kx = frame.kx;
-  const float ky = frame.ky;
-  const float a0 = frame.w11 * du;
-  const float a2 = (x[1] - x[0]) * kx;
-  const float a3 = (y[1] - y[0]) * ky;
-  const float b0 = frame.w12 * dv;
-  const float b1 = frame.w22 * dv;
-  const float b2 = (x[2] - x[0]) * kx;
-  const float b3 = (y[2] - y[0]) * ky;
-  SplatTriangle t{};
-  t.r11 = std::sqrt(a0 * a0 + a2 * a2 + a3 * a3);
-  const float i1 = 1 / t.r11;
-  const float q0 = a0 * i1;
-  const float q2 = a2 * i1;
-  const float q3 = a3 * i1;
-  t.r12 = q0 * b0 + q2 * b2 + q3 * b3;
-  float p0 = b0 - t.r12 * q0;
-  float p1 = b1;
-  float p2 = b2 - t.r12 * q2;
-  float p3 = b3 - t.r12 * q3;
-  const float again = q0 * p0 + q2 * p2 + q3 * p3;  // a second pass keeps the columns orthogonal in single precision
-  p0 -= again * q0;
-  p2 -= again * q2;
-  p3 -= again * q3;
-  t.r12 += again;
-  t.r22 = std::sqrt(p0 * p0 + p1 * p1 + p2 * p2 + p3 * p3);
-  const float i2 = 1 / t.r22;
-  p0 *= i2;
-  p1 *= i2;
-  p2 *= i2;
-  p3 *= i2;
-
-  const float f0 = frame.w11 * ox + frame.w12 * oy;
-  const float f1 = frame.w22 * oy;
-  const float f2 = x[0] * kx;
-  const float f3 = y[0] * ky;
-  t.wx0 = q0 * f0 + q2 * f2 + q3 * f3;
-  t.wxx = -kx * q2;
-  t.wxy = -ky * q3;
-  t.wy0 = p0 * f0 + p1 * f1 + p2 * f2 + p3 * f3;
-  t.wyx = -kx * p2;
-  t.wyy = -ky * p3;
-
-  // The residual is affine in the cell, its square quadratic.
-  const std::array<float, 4> r{f0 - q0 * t.wx0 - p0 * t.wy0, f1 - p1 * t.wy0, f2 - q2 * t.wx0 - p2 * t.wy0,
-                               f3 - q3 * t.wx0 - p3 * t.wy0};
-  const std::array<float, 4> gx{-q0 * t.wxx - p0 * t.wyx, -p1 * t.wyx, -kx - q2 * t.wxx - p2 * t.wyx,
-                                -q3 * t.wxx - p3 * t.wyx};
-  const std::array<float, 4> gy{-q0 * t.wxy - p0 * t.wyy, -p1 * t.wyy, -q2 * t.wxy - p2 * t.wyy,
-                                -ky - q3 * t.wxy - p3 * t.wyy};
-  const auto dot = [](const std::array<float, 4>& a, const std::array<float, 4>& b) {
+  using Column = std::array<double, 4>;
+  const auto dot = [](const Column& a, const Column& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
   };
-  t.e0 = -k_unit * k_unit * dot(r, r);
-  t.ex = -2 * k_unit * k_unit * dot(r, gx);
-  t.ey = -2 * k_unit * k_unit * dot(r, gy);
-  t.exx = -k_unit * k_unit * dot(gx, gx);
-  t.exy = -2 * k_unit * k_unit * dot(gx, gy);
-  t.eyy = -k_unit * k_unit * dot(gy, gy);
+  const double w11 = frame.w11;
+  const double w12 = frame.w12;
+  const double w22 = frame.w22;
+  const double kx = frame.kx;
+  const double ky = frame.ky;
+  const auto change = [&](std::size_t vertex) {
+    return std::array<double, 2>{(static_cast<double>(x[vertex]) - x[0]) * kx,
+                                 (static_cast<double>(y[vertex]) - y[0]) * ky};
+  };
+  Column q{w11 * du, 0, change(1)[0], change(1)[1]};
+  Column p{w12 * dv, w22 * dv, change(2)[0], change(2)[1]};
+  const double r11 = std::sqrt(dot(q, q));
+  for (double& entry : q) entry /= r11;
+  const double r12 = dot(q, p);
+  for (std::size_t k = 0; k < 4; ++k) p[k] -= r12 * q[k];
+  const double r22 = std::sqrt(dot(p, p));
+  for (double& entry : p) entry /= r22;
+
+  // Of the right angle relative to a cell: the constant part, and what changes with the cell.
+  const Column f{w11 * ox + w12 * oy, w22 * oy, x[0] * kx, y[0] * ky};
+  const double wx0 = dot(q, f);
+  const double wy0 = dot(p, f);
+  // The residual is affine in the cell.
+  Column r{};
+  Column gx{};
+  Column gy{};
+  for (std::size_t k = 0; k < 4; ++k) {
+    r[k] = f[k] - q[k] * wx0 - p[k] * wy0;
+    gx[k] = kx * (q[k] * q[2] + p[k] * p[2]) - (k == 2 ? kx : 0);
+    gy[k] = ky * (q[k] * q[3] + p[k] * p[3]) - (k == 3 ? ky : 0);
+  }
+  // In two coordinates, for no more is left of a plane in 4D: along the larger of its changes, and across it along the
+  // other or, where that adds nothing, along r.
+  const auto unit_of = [&](Column along) {
+    const double length = std::sqrt(dot(along, along));
+    for (double& entry : along) entry = length > 0 ? entry / length : 0;
+    return along;
+  };
+  const auto across = [&](const Column& first, Column from) {
+    const double share = dot(first, from);
+    for (std::size_t k = 0; k < 4; ++k) from[k] -= share * first[k];
+    return from;
+  };
+  const bool x_leads = dot(gx, gx) >= dot(gy, gy);
+  const Column& larger = x_leads ? gx : gy;
+  constexpr double k_nothing = 1e-18;  // squared: rounding
+  const double whole = kx * kx + ky * ky;
+  const Column first = unit_of(dot(larger, larger) > k_nothing * whole ? larger : r);
+  const Column other = across(first, x_leads ? gy : gx);
+  const Column second = unit_of(dot(other, other) > k_nothing * whole ? other : across(first, r));
+  const double unit = k_unit;
+  const auto narrow = [](double value) { return static_cast<float>(value); };
+  SplatTriangle t{};
+  t.r11 = narrow(r11);
+  t.r12 = narrow(r12);
+  t.r22 = narrow(r22);
+  t.wx0 = narrow(wx0);
+  t.wxx = narrow(-kx * q[2]);
+  t.wxy = narrow(-ky * q[3]);
+  t.wy0 = narrow(wy0);
+  t.wyx = narrow(-kx * p[2]);
+  t.wyy = narrow(-ky * p[3]);
+  t.u0 = narrow(unit * dot(first, r));
+  t.ux = narrow(unit * dot(first, gx));
+  t.uy = narrow(unit * dot(first, gy));
+  t.v0 = narrow(unit * dot(second, r));
+  t.vx = narrow(unit * dot(second, gx));
+  t.vy = narrow(unit * dot(second, gy));
   t.factor = std::abs(du * dv) * frame.scale;
   return t;
 }

@@ -29,7 +29,10 @@ struct SplatTriangle {
   float r11, r12, r22;
   float wx0, wxx, wxy;  // the right-angled vertex: (wx0 + wxx x + wxy y, wy0 + wyx x + wyy y)
   float wy0, wyx, wyy;
-  float e0, ex, ey, exx, exy, eyy;  // log2 of the residual's factor
+  // log2 of the residual's factor is -(u0 + ux x + uy y)^2 - (v0 + vx x + vy y)^2: as squares of two lengths, for the
+  // terms of their sum would cancel.
+  float u0, ux, uy;
+  float v0, vx, vy;
   float factor;
 };
 

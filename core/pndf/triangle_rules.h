@@ -12,7 +12,7 @@ inline constexpr int k_most_panel_nodes = 24;
 
 // Of whitened edges, deviations: up to here a cubature does, above there double precision must.
 inline constexpr float k_longest_cubature = 2;
-inline constexpr float k_longest_edge = 480;
+inline constexpr float k_longest_edge = 250;
 
 // Gauss rules of floats, padded to whole vectors.
 struct RayRules {

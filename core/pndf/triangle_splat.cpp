@@ -117,8 +117,8 @@ class TriangleSplat {
       if (first > last) continue;
       const auto top = static_cast<float>(reach.first_row + row - origin_row_);
       const V y = hn::Add(lane_y, hn::Set(d, top));
-      const V row_residual = hn::MulAdd(y, hn::MulAdd(y, hn::Set(d, t.eyy), hn::Set(d, t.ey)), hn::Set(d, t.e0));
-      const V row_slope = hn::MulAdd(y, hn::Set(d, t.exy), hn::Set(d, t.ex));
+      const V row_u = hn::MulAdd(y, hn::Set(d, t.uy), hn::Set(d, t.u0));
+      const V row_v = hn::MulAdd(y, hn::Set(d, t.vy), hn::Set(d, t.v0));
       // Of the whole tile, for its columns beyond the last are added too.
       const float half_x = 0.5F * static_cast<float>(k_tile_width - 1);
       const float half_y = 0.5F * static_cast<float>(k_tile_height - 1);
@@ -126,7 +126,9 @@ class TriangleSplat {
       for (std::int32_t column = first; column <= last; column += k_tile_width) {
         const auto left = static_cast<float>(column - origin_column_);
         const V x = hn::Add(lane_x, hn::Set(d, left));
-        const V residual = hn::MulAdd(x, hn::MulAdd(x, hn::Set(d, t.exx), row_slope), row_residual);
+        const V u = hn::MulAdd(x, hn::Set(d, t.ux), row_u);
+        const V v = hn::MulAdd(x, hn::Set(d, t.vx), row_v);
+        const V residual = hn::NegMulAdd(u, u, hn::Neg(hn::Mul(v, v)));
         const V sum = body(x, y, residual, left + half_x, top + half_y, half_x, half_y);
         add_tile(sum, out + column, stride, height);
       }

@@ -77,7 +77,7 @@ struct RefusedTriangle {
 };
 
 /// Within the cut an error is at most some 1e-5 of the triangle's scale, the factor of its integral times min(1/2, 2 pi
-/// / twice the whitened area); times its longest whitened edge over 25 where that is longer. Adds both triangles of
+/// / twice the whitened area). Adds both triangles of
 /// every sub-cell, cut from (u1, v0) to (u0, v1), where they are within the cut. What is too long is appended to
 /// `refused` instead.
 void splat(const SplatFrame& frame, const SplatCell& cell, const SplatBand& band, SplatScratch& scratch,
