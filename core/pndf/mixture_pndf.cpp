@@ -7,6 +7,7 @@
 
 #include "core/math/flush_to_zero.h"
 #include "core/pndf/cell_visit.h"
+#include "core/pndf/footprint_window.h"
 #include "core/pndf/mixture_query.h"
 #include "core/pndf/mixture_rows.h"
 #include "core/pndf/mixture_sampler.h"
@@ -17,6 +18,8 @@ namespace {
 
 constexpr std::size_t k_most_groups = 8;  // of rows, each with an image of its own
 constexpr double k_group_elements = 4000;
+constexpr std::size_t k_group_cells = 1U << 24U;  // of all groups' images together
+constexpr std::size_t k_most_summed = 1U << 15U;  // elements added up in single precision
 
 class MixtureFootprint final : public FootprintPndf {
  public:
@@ -49,7 +52,7 @@ class MixtureFootprint final : public FootprintPndf {
   [[nodiscard]] PndfError error() const override { return {}; }
 
  private:
-  static constexpr double k_most_prepared = 2e6;  // elements: 60 MB
+  static constexpr double k_most_prepared = 4e6;  // elements: 110 MB
   static constexpr std::int64_t k_streamed_rows = 32;
 
   MixtureFrame frame_;
@@ -57,10 +60,16 @@ class MixtureFootprint final : public FootprintPndf {
   double mass_;  // of wide footprints, whose lattice does not ripple: 1
 };
 
-// Most of what such a footprint sees are the border's texels again and again.
+constexpr double k_least_roughness = 1e-6;  // below it a float does not hold a normal to a deviation
+
+// Whether the exact method answers: what such a footprint sees it sees again and again, or single precision does not
+// do.
 bool is_for_exact(const MixtureFrame& frame) {
+  if (std::min(frame.roughness.x, frame.roughness.y) < k_least_roughness) return true;
+  if (frame.uniform) return false;
   const double seeds = static_cast<double>(frame.map->width()) * frame.map->height() / frame.lattice.area();
-  return frame.map->wrap() == Wrap::clamp && frame.elements_within() > 4 * seeds + 1e6;
+  return frame.elements_within() > 4 * seeds + 1e6 ||
+         !suits_single_precision(FootprintWindow(frame.widened), frame.cut);
 }
 
 Surface modelled(const Surface& surface) {
@@ -100,27 +109,41 @@ std::optional<PndfImage> MixturePndf::image(const Footprint& footprint, const Pn
   const glm::dvec2 roughness{std::sqrt(variance + image.widening.x), std::sqrt(variance + image.widening.y)};
   const Footprint reduced{reduced_center(surface_.map(), footprint.center), footprint.covariance};
   const MixtureFrame frame(surface_, settings_, reduced, roughness, k_image_cut);
-  if (is_for_exact(frame)) return exact().image(footprint, grid, control);
+  const MixtureFrame single(surface_, settings_, reduced, glm::dvec2(intrinsic_roughness_), k_query_cut);
+  if (is_for_exact(single)) return exact().image(footprint, grid, control);  // as for single normals
   const auto [first, last] = frame.rows();
+  image.density.resize(grid.cells());
+  if (last < first) return image;  // between seeds that do not reach it
   const auto count = static_cast<std::size_t>(last - first + 1);
+  const std::size_t room = std::max<std::size_t>(k_group_cells / grid.cells(), 1);
   const std::size_t groups = std::clamp<std::size_t>(
-      static_cast<std::size_t>(frame.elements_within() / k_group_elements), 1, std::min(count, k_most_groups));
+      static_cast<std::size_t>(frame.elements_within() / k_group_elements), 1, std::min({count, k_most_groups, room}));
   // Every group takes each so-manieth row: rows near the centre have more elements.
-  std::vector<std::optional<MixtureCanvas>> canvases(groups);
+  std::vector<std::vector<double>> parts(groups);
   const auto splat_group = [&](std::size_t group) {
     const FlushToZero quick;
-    MixtureCanvas& canvas = canvases[group].emplace(grid);
+    std::vector<double>& part = group == 0 ? image.density : parts[group];
+    part.resize(grid.cells());
+    MixtureCanvas canvas(grid);
     MixtureRows rows(frame);
     ElementList list;
+    std::size_t summed = 0;
     for (std::size_t row = group; row < count && !control.cancelled(); row += groups) {
       list.count = 0;
       rows.append(first + static_cast<std::int64_t>(row), list);
       splat_elements(list, canvas);
+      summed += list.count;
+      if (summed < k_most_summed) continue;
+      canvas.move_to(part);
+      summed = 0;
     }
+    canvas.move_to(part);
   };
   if (!parallel_blocks(groups, control, splat_group)) return std::nullopt;
-  image.density.resize(grid.cells());
-  for (const std::optional<MixtureCanvas>& canvas : canvases) canvas->add_to(image.density, 1 / frame.kept());
+  for (std::size_t group = 1; group < groups; ++group) {
+    for (std::size_t k = 0; k < image.density.size(); ++k) image.density[k] += parts[group][k];
+  }
+  for (double& density : image.density) density /= frame.kept();
   return image;
 }
 

@@ -21,10 +21,11 @@ HWY_INLINE V block_density(const PreparedMixture::Fields& f, std::size_t first, 
   const auto load = [&](const std::vector<float>& field) HWY_ATTR { return hn::LoadU(d, field.data() + first); };
   const V x = hn::Sub(hn::Set(d, sx), load(f.x));
   const V y = hn::Sub(hn::Set(d, sy), load(f.y));
-  const V exponent =
-      hn::MulAdd(x, hn::MulAdd(x, load(f.q_xx), hn::Mul(y, load(f.q_xy))), hn::Mul(hn::Mul(y, y), load(f.q_yy)));
-  const V value = hn::Mul(load(f.amplitude), exp2_of_negative(exponent));
-  return hn::IfThenElseZero(hn::Gt(exponent, load(f.least)), value);
+  const V across = hn::MulAdd(x, load(f.w11), hn::Mul(y, load(f.w12)));
+  const V down = hn::Mul(y, load(f.w22));
+  const V exponent = hn::MulAdd(across, across, hn::Mul(down, down));
+  const V value = hn::Mul(load(f.amplitude), exp2_of_negative(hn::Neg(exponent)));
+  return hn::IfThenElseZero(hn::Lt(exponent, load(f.most)), value);
 }
 
 }  // namespace
@@ -35,7 +36,7 @@ double query_mixture(const PreparedMixture& mixture, glm::dvec2 s) {
   const auto sy = static_cast<float>(s.y);
   const std::array<float, 4> axes{sx, sy, static_cast<float>(s.x + s.y), static_cast<float>(s.x - s.y)};
   const PreparedMixture::Bounds& bounds = mixture.bounds();
-  V sum = hn::Zero(d);
+  double total = 0;
   for (std::size_t first = 0; first < mixture.blocks(); first += static_cast<std::size_t>(k_lanes)) {
     auto near = hn::FirstN(d, mixture.blocks() - first);
     for (std::size_t axis = 0; axis < 4; ++axis) {
@@ -43,14 +44,17 @@ double query_mixture(const PreparedMixture& mixture, glm::dvec2 s) {
       near = hn::And(near, hn::And(hn::Ge(q, hn::LoadU(d, bounds.lo[axis].data() + first)),
                                    hn::Le(q, hn::LoadU(d, bounds.hi[axis].data() + first))));
     }
+    if (hn::AllFalse(d, near)) continue;
+    V sum = hn::Zero(d);
     for (std::uint32_t bits = mask_bits(near); bits != 0; bits &= bits - 1) {
       const std::size_t block = first + static_cast<std::size_t>(__builtin_ctz(bits));
       for (std::size_t k = 0; k < PreparedMixture::k_block; k += static_cast<std::size_t>(k_lanes)) {
         sum = hn::Add(sum, block_density(mixture.fields(), block * PreparedMixture::k_block + k, sx, sy));
       }
     }
+    total += static_cast<double>(hn::GetLane(hn::SumOfLanes(d, sum)));
   }
-  return static_cast<double>(hn::GetLane(hn::SumOfLanes(d, sum)));
+  return total;
 }
 
 // Makes blocks of the elements of a band in that order; returns the sum of their weights.
@@ -58,7 +62,6 @@ double add_blocks(const ElementList& band, const std::vector<std::int32_t>& orde
                   PreparedMixture::Fields& fields, PreparedMixture::Bounds& bounds) {
   const Floats d;
   const hn::RebindToSigned<Floats> di;
-  constexpr float k_half_log2e = 0.5F * std::numbers::log2e_v<float>;
   double mass = 0;
   for (std::size_t first = 0; first < band.count; first += PreparedMixture::k_block, ++block) {
     std::array<V, 4> lo;
@@ -72,29 +75,32 @@ double add_blocks(const ElementList& band, const std::vector<std::int32_t>& orde
       const auto field = [&](const std::vector<float>& of) HWY_ATTR { return hn::GatherIndex(d, of.data(), ids); };
       const V x = field(band.x);
       const V y = field(band.y);
-      const V xx = field(band.xx);
-      const V xy = field(band.xy);
-      const V yy = field(band.yy);
+      const V w11 = field(band.w11);
+      const V w12 = field(band.w12);
+      const V w22 = field(band.w22);
       const V room = field(band.room);
-      const V determinant = field(band.determinant);
       const V amplitude = hn::IfThenElseZero(there, field(band.amplitude));
-      const V scale = hn::Div(hn::Set(d, -k_half_log2e), determinant);
       const std::size_t at = block * PreparedMixture::k_block + k;
       const auto keep = [&](V values, std::vector<float>& to) HWY_ATTR { hn::StoreU(values, d, to.data() + at); };
+      const V unit = hn::Set(d, k_unit);
       keep(x, fields.x);
       keep(y, fields.y);
-      keep(hn::Mul(yy, scale), fields.q_xx);
-      keep(hn::Mul(hn::Mul(hn::Set(d, -2), xy), scale), fields.q_xy);
-      keep(hn::Mul(xx, scale), fields.q_yy);
+      keep(hn::Mul(w11, unit), fields.w11);
+      keep(hn::Mul(w12, unit), fields.w12);
+      keep(hn::Mul(w22, unit), fields.w22);
       keep(amplitude, fields.amplitude);
-      keep(hn::Mul(room, hn::Set(d, -k_half_log2e)), fields.least);
-      mass += static_cast<double>(hn::GetLane(hn::SumOfLanes(d, hn::Mul(amplitude, hn::Sqrt(determinant)))));
-      const V sum = hn::Add(xx, yy);
+      keep(hn::Mul(room, hn::Mul(unit, unit)), fields.most);
+      // W^-T of the axes: their deviations.
+      const V across = hn::Div(hn::Set(d, 1), w11);
+      const V down = hn::Div(hn::Set(d, 1), w22);
+      const V lean = hn::Neg(hn::Mul(w12, hn::Mul(across, down)));
+      mass += static_cast<double>(hn::GetLane(hn::SumOfLanes(d, hn::Mul(amplitude, hn::Mul(across, down)))));
+      const auto squares = [](V a, V b) HWY_ATTR { return hn::MulAdd(a, a, hn::Mul(b, b)); };
       const std::array<V, 4> means{x, y, hn::Add(x, y), hn::Sub(x, y)};
-      const std::array<V, 4> variances{xx, yy, hn::MulAdd(hn::Set(d, 2), xy, sum),
-                                       hn::NegMulAdd(hn::Set(d, 2), xy, sum)};
+      const std::array<V, 4> variances{squares(across, lean), hn::Mul(down, down), squares(across, hn::Add(lean, down)),
+                                       squares(across, hn::Sub(lean, down))};
       for (std::size_t axis = 0; axis < 4; ++axis) {
-        const V reach = hn::Sqrt(hn::Mul(room, hn::Max(variances[axis], hn::Zero(d))));
+        const V reach = hn::Sqrt(hn::Mul(room, variances[axis]));
         lo[axis] = hn::Min(lo[axis], hn::Sub(means[axis], reach));
         hi[axis] = hn::Max(hi[axis], hn::Add(means[axis], reach));
       }
@@ -174,7 +180,7 @@ PreparedMixture::PreparedMixture(const MixtureFrame& frame, MixtureFrame::Seeds 
     const std::size_t before = blocks_;
     blocks_ += (band.count + k_block - 1) / k_block;
     for (std::vector<float>* field :
-         {&fields_.x, &fields_.y, &fields_.q_xx, &fields_.q_xy, &fields_.q_yy, &fields_.amplitude, &fields_.least}) {
+         {&fields_.x, &fields_.y, &fields_.w11, &fields_.w12, &fields_.w22, &fields_.amplitude, &fields_.most}) {
       field->resize(blocks_ * k_block);
     }
     for (std::size_t axis = 0; axis < 4; ++axis) {

@@ -26,10 +26,10 @@ class PreparedMixture {
   [[nodiscard]] double mass() const { return mass_; }
   [[nodiscard]] std::size_t elements() const { return count_; }
 
-  /// Elements in blocks of k_block, the last of each band of rows filled up with amplitude 0. Per element: its mean,
-  /// the exponents q of amplitude 2^(q_xx x^2 + q_xy x y + q_yy y^2), and the least exponent that counts.
+  /// Elements in blocks of k_block, the last of each band of rows filled up with amplitude 0. Per element: its mean
+  /// and the whitening in amplitude 2^-((w11 x + w12 y)^2 + (w22 y)^2), of which exponents up to `most` count.
   struct Fields {
-    std::vector<float> x, y, q_xx, q_xy, q_yy, amplitude, least;
+    std::vector<float> x, y, w11, w12, w22, amplitude, most;
   };
   /// Of blocks, along s, t, s + t and s - t; padded to whole vectors.
   struct Bounds {

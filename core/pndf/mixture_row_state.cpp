@@ -25,15 +25,11 @@ SeedWeights seed_weights(double u, bool piecewise_constant) {
   const double cell = std::floor(u - 0.5);
   const double x = u - 0.5 - cell;
   return {static_cast<std::int64_t>(cell) - 1, catmull_rom(x), catmull_rom_derivative(x),
-          catmull_rom_second_derivative(x)};
+          catmull_rom_second_difference(x)};
 }
 
 SymmetricMatrix2 plus_identity(const SymmetricMatrix2& m, double amount) {
   return {m.xx + amount, m.xy, m.yy + amount};
-}
-
-SymmetricMatrix2 scaled(const SymmetricMatrix2& m, double factor) {
-  return {m.xx * factor, m.xy * factor, m.yy * factor};
 }
 
 double squared_side(const NormalMap& map) {
@@ -58,30 +54,37 @@ void resize(SeedRun& run, std::size_t size) {
 
 }  // namespace
 
-MixtureFrame::MixtureFrame(const Surface& surface, const MixtureSettings& settings, const Footprint& footprint,
+MixtureFrame::MixtureFrame(const Surface& surface, const MixtureSettings& settings, const Footprint& of,
                            glm::dvec2 normal_roughness, double joint_cut)
     : map(&surface.map()),
       piecewise_constant(surface.interpolation() == Interpolation::constant),
       elements(settings.elements),
       lattice(surface.map(), settings),
-      center(footprint.center),
+      center(of.center),
       roughness(normal_roughness),
       cut(joint_cut),
-      widened(plus_identity(footprint.covariance, lattice.deviation * lattice.deviation)),
+      footprint(of.covariance),
+      widened(plus_identity(of.covariance, lattice.deviation * lattice.deviation)),
       uniform(surface.map().wrap() == Wrap::repeat &&
-              eigenvalues(footprint.covariance).y >= k_uniform * squared_side(surface.map())),
+              eigenvalues(of.covariance).y >= k_uniform * squared_side(surface.map())),
       whitening(glint::whitening(widened)) {
   const double squared = lattice.deviation * lattice.deviation;
   if (uniform) {
     whitening = {0, 0, 0};
     drift = {0, 0, 0};
-    spread = {squared, 0, squared};
+    spread = {lattice.deviation, 0, lattice.deviation};
     weight = lattice.area() / (2 * std::numbers::pi * map->width() * map->height());
     return;
   }
-  const double whole = determinant(widened);
-  drift = scaled({widened.yy, -widened.xy, widened.xx}, squared / whole);
-  spread = scaled(plus_identity(scaled(drift, -1), 1), squared);
+  // det V and Sigma_e in terms that do not cancel.
+  const double own = determinant(footprint);
+  const double whole = own + squared * (footprint.xx + footprint.yy + squared);
+  const double share = squared / whole;
+  drift = {share * widened.yy, -share * widened.xy, share * widened.xx};
+  const double xx = share * (own + footprint.xx * squared);
+  spread.l11 = std::sqrt(xx);
+  spread.l21 = share * squared * footprint.xy / spread.l11;
+  spread.l22 = squared * std::sqrt(own / whole) / spread.l11;
   weight = lattice.area() / (4 * std::numbers::pi * std::numbers::pi * std::sqrt(whole));
 }
 

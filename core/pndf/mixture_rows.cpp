@@ -66,7 +66,7 @@ class Taps {
 struct FrameLanes {
   float w11, w12, w22;
   float k_xx, k_xy, k_yy;
-  float e_xx, e_xy, e_yy, e_determinant;
+  float l11, l21, l22;
   float r_xx, r_yy;
   float squared_cut;
   float weight;
@@ -79,10 +79,9 @@ struct FrameLanes {
         k_xx(static_cast<float>(f.drift.xx)),
         k_xy(static_cast<float>(f.drift.xy)),
         k_yy(static_cast<float>(f.drift.yy)),
-        e_xx(static_cast<float>(f.spread.xx)),
-        e_xy(static_cast<float>(f.spread.xy)),
-        e_yy(static_cast<float>(f.spread.yy)),
-        e_determinant(static_cast<float>(determinant(f.spread))),
+        l11(static_cast<float>(f.spread.l11)),
+        l21(static_cast<float>(f.spread.l21)),
+        l22(static_cast<float>(f.spread.l22)),
         r_xx(static_cast<float>(f.roughness.x * f.roughness.x)),
         r_yy(static_cast<float>(f.roughness.y * f.roughness.y)),
         squared_cut(static_cast<float>(f.cut * f.cut)),
@@ -131,7 +130,6 @@ void add_run(const MixtureFrame& frame, const FrameLanes& f, const MixtureRows::
     Stencil t = taps.stencil(state.combined[1]);
     V mean_x = hn::MulAdd(hn::Set(d, f.correction), s.laplacian, s.value);
     V mean_y = hn::MulAdd(hn::Set(d, f.correction), t.laplacian, t.value);
-    V xx = hn::Set(d, f.r_xx);
     V xy = hn::Zero(d);
     V yy = hn::Set(d, f.r_yy);
     V determinant = hn::Set(d, f.r_xx * f.r_yy);
@@ -139,35 +137,36 @@ void add_run(const MixtureFrame& frame, const FrameLanes& f, const MixtureRows::
       mean_x = s.value;
       mean_y = t.value;
     } else {
-      // K o, and J Sigma_e J^T.
       const V ku = hn::MulAdd(hn::Set(d, f.k_xx), o_u, hn::Mul(hn::Set(d, f.k_xy), o_v));
       const V kv = hn::MulAdd(hn::Set(d, f.k_xy), o_u, hn::Mul(hn::Set(d, f.k_yy), o_v));
       mean_x = hn::NegMulAdd(s.du, ku, hn::NegMulAdd(s.dv, kv, mean_x));
       mean_y = hn::NegMulAdd(t.du, ku, hn::NegMulAdd(t.dv, kv, mean_y));
-      const V su = hn::MulAdd(hn::Set(d, f.e_xx), s.du, hn::Mul(hn::Set(d, f.e_xy), s.dv));
-      const V sv = hn::MulAdd(hn::Set(d, f.e_xy), s.du, hn::Mul(hn::Set(d, f.e_yy), s.dv));
-      const V tu = hn::MulAdd(hn::Set(d, f.e_xx), t.du, hn::Mul(hn::Set(d, f.e_xy), t.dv));
-      const V tv = hn::MulAdd(hn::Set(d, f.e_xy), t.du, hn::Mul(hn::Set(d, f.e_yy), t.dv));
-      const V more_xx = hn::MulAdd(s.du, su, hn::Mul(s.dv, sv));
-      const V more_yy = hn::MulAdd(t.du, tu, hn::Mul(t.dv, tv));
-      xy = hn::MulAdd(s.du, tu, hn::Mul(s.dv, tv));
-      // In terms that are all positive.
-      const V jacobian = hn::NegMulAdd(s.dv, t.du, hn::Mul(s.du, t.dv));
-      determinant = hn::MulAdd(hn::Mul(jacobian, jacobian), hn::Set(d, f.e_determinant), determinant);
-      determinant = hn::MulAdd(xx, more_yy, hn::MulAdd(yy, more_xx, determinant));
-      xx = hn::Add(xx, more_xx);
+      // J L, and what it adds to the covariance and its determinant, in terms that are all positive.
+      const V su = hn::MulAdd(hn::Set(d, f.l11), s.du, hn::Mul(hn::Set(d, f.l21), s.dv));
+      const V sv = hn::Mul(hn::Set(d, f.l22), s.dv);
+      const V tu = hn::MulAdd(hn::Set(d, f.l11), t.du, hn::Mul(hn::Set(d, f.l21), t.dv));
+      const V tv = hn::Mul(hn::Set(d, f.l22), t.dv);
+      const V more_xx = hn::MulAdd(su, su, hn::Mul(sv, sv));
+      const V more_yy = hn::MulAdd(tu, tu, hn::Mul(tv, tv));
+      xy = hn::MulAdd(su, tu, hn::Mul(sv, tv));
+      const V turned = hn::MulSub(su, tv, hn::Mul(sv, tu));
+      determinant = hn::MulAdd(turned, turned, determinant);
+      determinant = hn::MulAdd(hn::Set(d, f.r_xx), more_yy, hn::MulAdd(yy, more_xx, determinant));
       yy = hn::Add(yy, more_yy);
     }
+    const V inverse = hn::Div(hn::Set(d, 1), hn::Sqrt(determinant));
+    const V w22 = hn::Div(hn::Set(d, 1), hn::Sqrt(yy));
+    const V w11 = hn::Mul(hn::Mul(yy, w22), inverse);
+    const V w12 = hn::Neg(hn::Mul(hn::Mul(xy, hn::Mul(w22, w22)), w11));
     const V here = exp2_of_negative(hn::Mul(squared, hn::Set(d, -k_unit * k_unit)));
-    const V amplitude = hn::Mul(hn::Mul(hn::Set(d, f.weight), here), hn::Div(hn::Set(d, 1), hn::Sqrt(determinant)));
+    const V amplitude = hn::Mul(hn::Mul(hn::Set(d, f.weight), here), inverse);
     const auto front = hn::Compress(hn::Iota(di, 0), hn::RebindMask(di, there));
     const std::size_t at = out.count;
     append(mean_x, front, out.x, at);
     append(mean_y, front, out.y, at);
-    append(xx, front, out.xx, at);
-    append(xy, front, out.xy, at);
-    append(yy, front, out.yy, at);
-    append(determinant, front, out.determinant, at);
+    append(w11, front, out.w11, at);
+    append(w12, front, out.w12, at);
+    append(w22, front, out.w22, at);
     append(amplitude, front, out.amplitude, at);
     append(room, front, out.room, at);
     append(o_u, front, out.u, at);
@@ -211,8 +210,7 @@ void MixtureRows::append(std::int64_t row, ElementList& out) {
 
 void ElementList::reserve(std::size_t size) {
   if (x.size() >= size) return;
-  for (std::vector<float>* field : {&x, &y, &xx, &xy, &yy, &determinant, &amplitude, &room, &u, &v})
-    field->resize(size);
+  for (std::vector<float>* field : {&x, &y, &w11, &w12, &w22, &amplitude, &room, &u, &v}) field->resize(size);
 }
 
 }  // namespace glint

@@ -16,7 +16,7 @@ namespace glint {
 /// Of one footprint. Per element i with offset o_i = u_i - u_p:
 ///   D_P(s) = sum of a N(o_i; 0, V) N(s; s_i - J_i K o_i, diag(roughness^2) + J_i Sigma_e J_i^T)
 /// with V = Sigma_p + sigma_h^2 I, K = sigma_h^2 V^-1, Sigma_e = sigma_h^2 Sigma_p V^-1 (the 2016 paper's slice of a
-/// product of Gaussians, integrated; in this form nothing cancels). A footprint so much wider than a map that repeats
+/// product of Gaussians, integrated, whose own form cancels). A footprint so much wider than a map that repeats
 /// that its periods add up to a constant (to 1e-6) sees each seed of one period once: N(o_i; 0, V) is 1 / (map area), K
 /// is 0 and Sigma_e is sigma_h^2 I.
 struct MixtureFrame {
@@ -24,15 +24,16 @@ struct MixtureFrame {
   bool piecewise_constant;  ///< seeds take the normal of the texel they lie in
   MixtureElements elements;
   MixtureLattice lattice;
-  glm::dvec2 center;         ///< u_p, texels
-  glm::dvec2 roughness;      ///< on each axis
-  double cut;                ///< joint cut R, deviations
-  SymmetricMatrix2 widened;  ///< V
-  bool uniform;              ///< see above
-  Whitening whitening;       ///< of V; 0 where uniform
-  SymmetricMatrix2 drift;    ///< K
-  SymmetricMatrix2 spread;   ///< Sigma_e
-  double weight;             ///< a / (4 pi^2 sqrt(det V)); a / (2 pi map area) where uniform
+  glm::dvec2 center;           ///< u_p, texels
+  glm::dvec2 roughness;        ///< on each axis
+  double cut;                  ///< joint cut R, deviations
+  SymmetricMatrix2 footprint;  ///< Sigma_p
+  SymmetricMatrix2 widened;    ///< V
+  bool uniform;                ///< see above
+  Whitening whitening;         ///< of V; 0 where uniform
+  SymmetricMatrix2 drift;      ///< K
+  CholeskyFactor spread;       ///< L with L L^T = Sigma_e
+  double weight;               ///< a / (4 pi^2 sqrt(det V)); a / (2 pi map area) where uniform
 
   MixtureFrame(const Surface& surface, const MixtureSettings& settings, const Footprint& footprint,
                glm::dvec2 roughness, double cut);
@@ -50,13 +51,12 @@ struct MixtureFrame {
   [[nodiscard]] double kept() const;
 };
 
-/// Elements by field: normals are mean and covariance of s; `room` is R^2 less the squared distance in the plane,
-/// always positive.
+/// Elements by field: the mean of s and the upper triangular W with W^T W = covariance^-1, by which distances from it
+/// are sums of squares; `room` is R^2 less the squared distance in the plane, always positive.
 struct ElementList {
-  std::vector<float> x, y;         // mean
-  std::vector<float> xx, xy, yy;   // covariance
-  std::vector<float> determinant;  // of it
-  std::vector<float> amplitude;    // weight / sqrt(det covariance) exp(-d^2 / 2): the density at the mean
+  std::vector<float> x, y;           // mean
+  std::vector<float> w11, w12, w22;  // whitening
+  std::vector<float> amplitude;      // weight / sqrt(det covariance) exp(-d^2 / 2): the density at the mean
   std::vector<float> room;
   std::vector<float> u, v;  // offset of the seed, texels
   std::size_t count = 0;

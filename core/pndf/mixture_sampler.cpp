@@ -22,7 +22,7 @@ class SeedChoice {
 
   [[nodiscard]] double sum() const { return sum_; }
 
-  // The offset of u from a seed drawn with its share; `xi` is uniform in [0, 1).
+  // A seed drawn with its share; `xi` is uniform in [0, 1).
   [[nodiscard]] std::int64_t draw(double xi) const {
     double left = xi * sum_;
     for (std::int64_t k = first_; k < last_; ++k) {
@@ -66,9 +66,9 @@ SeedNormal seed_normal(const MixtureFrame& frame, glm::dvec2 seed) {
   const double j = std::floor(seed.y - 0.5);
   const std::array<std::array<CubicWeights, 3>, 2> w{
       {{catmull_rom(seed.x - 0.5 - i), catmull_rom_derivative(seed.x - 0.5 - i),
-        catmull_rom_second_derivative(seed.x - 0.5 - i)},
+        catmull_rom_second_difference(seed.x - 0.5 - i)},
        {catmull_rom(seed.y - 0.5 - j), catmull_rom_derivative(seed.y - 0.5 - j),
-        catmull_rom_second_derivative(seed.y - 0.5 - j)}}};
+        catmull_rom_second_difference(seed.y - 0.5 - j)}}};
   const double half = 0.5 * frame.lattice.deviation * frame.lattice.deviation;
   const double correction = frame.elements == MixtureElements::corrected ? half : 0;
   const double sheared = frame.elements == MixtureElements::flat ? 0 : 1;

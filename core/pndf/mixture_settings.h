@@ -36,12 +36,12 @@ inline double automatic_kappa(double step) {
 /// the steps may differ a little from what was asked and from each other.
 struct MixtureLattice {
   glm::dvec2 step;
-  double deviation;  ///< sigma_h, texels
+  double deviation;  ///< sigma_h, texels: of the wider step, so that elements meet along both axes
 
   MixtureLattice(const NormalMap& map, const MixtureSettings& settings) {
     const auto fitting = [&](int size) { return size / std::max(1.0, std::round(size / settings.step)); };
     step = {fitting(map.width()), fitting(map.height())};
-    deviation = settings.kappa.value_or(automatic_kappa(settings.step)) * std::sqrt(step.x * step.y);
+    deviation = settings.kappa.value_or(automatic_kappa(settings.step)) * std::max(step.x, step.y);
   }
 
   [[nodiscard]] double area() const { return step.x * step.y; }

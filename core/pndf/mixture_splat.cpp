@@ -32,13 +32,12 @@ HWY_INLINE void add_tile(V values, float* out, [[maybe_unused]] std::ptrdiff_t s
 }
 
 // One element in cells of the image: the density at (x, y) from its middle is
-// amplitude 2^(q_xx x^2 + q_xy x y + q_yy y^2).
+// amplitude 2^-((w11 x + w12 y)^2 + (w22 y)^2).
 struct CellElement {
   float x, y;
-  float xx, xy, yy;  // covariance
-  float q_xx, q_xy, q_yy;
+  float w11, w12, w22;
   float amplitude;
-  float room;
+  float room;  // in units of that exponent
 };
 
 class Splat {
@@ -53,7 +52,7 @@ class Splat {
   }
 
   HWY_INLINE void add(const CellElement& e) {
-    const float reach = std::sqrt(e.room * e.yy);
+    const float reach = std::sqrt(e.room) / e.w22;
     // Clamped as floats: an element may be anywhere.
     const auto first = static_cast<int>(std::clamp(std::ceil(e.y - reach), 0.0F, static_cast<float>(rows_)));
     const auto last = static_cast<int>(std::clamp(std::floor(e.y + reach), -1.0F, static_cast<float>(rows_ - 1)));
@@ -85,13 +84,13 @@ class Splat {
   // Of rows begin, begin + 1, …: the columns of the ellipse, of none where it does not reach the row.
   HWY_INLINE void find_columns(const CellElement& e, int begin, int count) {
     const Floats d;
-    const float inverse_yy = 1 / e.yy;
-    const float slope = e.xy * inverse_yy;
-    const float across = std::max(e.xx - e.xy * slope, 0.0F);
+    const float inverse = 1 / e.w11;
+    const float slope = -e.w12 * inverse;
     for (int row = 0; row < count; row += k_lanes) {
       const V dy = hn::Add(hn::LoadU(d, counting_.data()), hn::Set(d, static_cast<float>(begin + row) - e.y));
-      const V left = hn::NegMulAdd(hn::Mul(dy, dy), hn::Set(d, inverse_yy), hn::Set(d, e.room));
-      const V half = hn::Sqrt(hn::Max(hn::Mul(left, hn::Set(d, across)), hn::Zero(d)));
+      const V down = hn::Mul(dy, hn::Set(d, e.w22));
+      const V left = hn::Max(hn::NegMulAdd(down, down, hn::Set(d, e.room)), hn::Zero(d));
+      const V half = hn::Mul(hn::Sqrt(left), hn::Set(d, inverse));
       const V middle = hn::MulAdd(dy, hn::Set(d, slope), hn::Set(d, e.x));
       hn::StoreU(hn::Ceil(hn::Sub(middle, half)), d, first_columns_.data() + row);
       hn::StoreU(hn::Floor(hn::Add(middle, half)), d, last_columns_.data() + row);
@@ -102,14 +101,16 @@ class Splat {
   HWY_INLINE void add_row(const CellElement& e, int row, int from, int to, V lane_x, V lane_y) {
     const Floats d;
     const V y = hn::Add(lane_y, hn::Set(d, static_cast<float>(row) - e.y));
-    const V constant = hn::Mul(hn::Mul(y, y), hn::Set(d, e.q_yy));
-    const V linear = hn::Mul(y, hn::Set(d, e.q_xy));
-    const V square = hn::Set(d, e.q_xx);
+    const V down = hn::Mul(y, hn::Set(d, e.w22));
+    const V of_row = hn::Neg(hn::Mul(down, down));
+    const V lean = hn::Mul(y, hn::Set(d, e.w12));
+    const V w11 = hn::Set(d, e.w11);
     const V amplitude = hn::Set(d, e.amplitude);
     float* out = canvas_.row(row);
     V x = hn::Add(lane_x, hn::Set(d, static_cast<float>(from) - e.x));
     for (int column = from; column <= to; column += k_tile_columns) {
-      const V exponent = hn::MulAdd(x, hn::MulAdd(x, square, linear), constant);
+      const V across = hn::MulAdd(x, w11, lean);
+      const V exponent = hn::NegMulAdd(across, across, of_row);
       const V value = hn::Mul(amplitude, rough_exp2_of_negative(exponent));
       add_tile(value, out + column, canvas_.stride());
       x = hn::Add(x, hn::Set(d, static_cast<float>(k_tile_columns)));
@@ -136,35 +137,28 @@ void splat_all(const ElementList& elements, MixtureCanvas& canvas) {
   const auto per_y = static_cast<float>(1 / pitch.y);
   const auto start_x = static_cast<float>(-grid.s_min / pitch.x - 0.5);
   const auto start_y = static_cast<float>(grid.t_max / pitch.y - 0.5);
-  constexpr float k_log2e = 1.44269504F;
+  const auto wide = static_cast<float>(k_unit * pitch.x);
+  const auto high = static_cast<float>(k_unit * pitch.y);
   Splat splat(canvas);
   for (std::size_t first = 0; first < elements.count; first += static_cast<std::size_t>(k_lanes)) {
     const auto load = [&](const std::vector<float>& field) HWY_ATTR { return hn::LoadU(d, field.data() + first); };
-    // In cells; rows run down.
-    const V xx = hn::Mul(load(elements.xx), hn::Set(d, per_x * per_x));
-    const V xy = hn::Mul(load(elements.xy), hn::Set(d, -per_x * per_y));
-    const V yy = hn::Mul(load(elements.yy), hn::Set(d, per_y * per_y));
-    const V inverse = hn::Div(hn::Set(d, -0.5F * k_log2e),
-                              hn::Mul(load(elements.determinant), hn::Set(d, per_x * per_x * per_y * per_y)));
     struct alignas(64) Lanes {
       std::array<float, static_cast<std::size_t>(k_lanes)> of;
     };
-    std::array<Lanes, 10> fields;
+    std::array<Lanes, 7> fields;
     const auto keep = [&](std::size_t k, V values) HWY_ATTR { hn::Store(values, d, fields[k].of.data()); };
+    // In cells; rows run down.
     keep(0, hn::MulAdd(load(elements.x), hn::Set(d, per_x), hn::Set(d, start_x)));
     keep(1, hn::NegMulAdd(load(elements.y), hn::Set(d, per_y), hn::Set(d, start_y)));
-    keep(2, xx);
-    keep(3, xy);
-    keep(4, yy);
-    keep(5, hn::Mul(yy, inverse));
-    keep(6, hn::Mul(hn::Mul(hn::Set(d, -2), xy), inverse));
-    keep(7, hn::Mul(xx, inverse));
-    keep(8, load(elements.amplitude));
-    keep(9, load(elements.room));
+    keep(2, hn::Mul(load(elements.w11), hn::Set(d, wide)));
+    keep(3, hn::Mul(load(elements.w12), hn::Set(d, -high)));
+    keep(4, hn::Mul(load(elements.w22), hn::Set(d, high)));
+    keep(5, load(elements.amplitude));
+    keep(6, hn::Mul(load(elements.room), hn::Set(d, k_unit * k_unit)));
     const std::size_t count = std::min(elements.count - first, static_cast<std::size_t>(k_lanes));
     for (std::size_t k = 0; k < count; ++k) {
       const auto of = [&](std::size_t field) { return fields[field].of[k]; };
-      splat.add({of(0), of(1), of(2), of(3), of(4), of(5), of(6), of(7), of(8), of(9)});
+      splat.add({of(0), of(1), of(2), of(3), of(4), of(5), of(6)});
     }
   }
 }
@@ -183,11 +177,12 @@ MixtureCanvas::MixtureCanvas(const PndfGrid& grid)
       stride_(grid.columns + k_padding),
       values_(static_cast<std::size_t>(stride_) * (static_cast<std::size_t>(grid.rows) + 1) + k_padding) {}
 
-void MixtureCanvas::add_to(std::vector<double>& density, double factor) const {
-  for (int row = 0; row < grid_.rows; ++row) {
-    const float* from = values_.data() + row * stride_;
-    double* to = density.data() + grid_.index(0, row);
-    for (int column = 0; column < grid_.columns; ++column) to[column] += factor * static_cast<double>(from[column]);
+void MixtureCanvas::move_to(std::vector<double>& density) {
+  for (int row_index = 0; row_index < grid_.rows; ++row_index) {
+    float* from = row(row_index);
+    double* to = density.data() + grid_.index(0, row_index);
+    for (int column = 0; column < grid_.columns; ++column) to[column] += static_cast<double>(from[column]);
+    std::fill(from, from + grid_.columns, 0.0F);
   }
 }
 

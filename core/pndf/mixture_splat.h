@@ -14,8 +14,8 @@ class MixtureCanvas {
   [[nodiscard]] const PndfGrid& grid() const { return grid_; }
   [[nodiscard]] std::ptrdiff_t stride() const { return stride_; }
   [[nodiscard]] float* row(int index) { return values_.data() + index * stride_; }
-  /// Adds what is here times `factor` to `density`, which has the grid's cells.
-  void add_to(std::vector<double>& density, double factor) const;
+  /// Adds what is here to `density`, which has the grid's cells, and begins anew: small terms are lost in large sums.
+  void move_to(std::vector<double>& density);
 
  private:
   static constexpr int k_padding = 16;

@@ -68,10 +68,10 @@ std::optional<StudyResult> time_method(const Document& document, PndfMethod meth
   if (settings.threads) limit.emplace(std::min(*settings.threads, thread_count()));
   StudyResult result{};
   result.method = method;
-  result.surface = surface.interpolation();
   const Clock::time_point build = Clock::now();
   const std::unique_ptr<PndfModel> model = make_document_model(document, method, surface);
   result.build_ms = milliseconds_since(build);
+  result.surface = model->info().surface;
   result.bytes = surface.map().bytes() + model->info().bytes;
 
   std::vector<double> times;

@@ -21,6 +21,12 @@ constexpr CubicWeights catmull_rom_second_derivative(double x) {
   return {2 - 3 * x, -5 + 9 * x, 4 - 9 * x, 3 * x - 1};
 }
 
+/// The second differences at the two samples around x, interpolated linearly: unlike the second derivative, which jumps
+/// at samples, it is continuous.
+constexpr CubicWeights catmull_rom_second_difference(double x) {
+  return {1 - x, 3 * x - 2, 1 - 3 * x, x};
+}
+
 /// The largest sum of the negative weights of the bicubic, in absolute value: a value never leaves the range [lo, hi]
 /// of its 16 samples by more than this share of hi - lo. Per axis they sum to x (1 - x) / 2 <= 1/8; (1.25^2 - 1) / 2 in
 /// 2D.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -45,8 +46,8 @@ SlowElement slow_element(const Surface& surface, const MixtureSettings& settings
     for (std::size_t a = 0; a < 4; ++a) {
       const glm::dvec2 n(surface.map().texel(static_cast<std::int64_t>(i) - 1 + static_cast<std::int64_t>(a),
                                              static_cast<std::int64_t>(j) - 1 + static_cast<std::int64_t>(b)));
-      const double bend = catmull_rom_second_derivative(x)[a] * catmull_rom(y)[b] +
-                          catmull_rom(x)[a] * catmull_rom_second_derivative(y)[b];
+      const double bend = catmull_rom_second_difference(x)[a] * catmull_rom(y)[b] +
+                          catmull_rom(x)[a] * catmull_rom_second_difference(y)[b];
       e.normal += (catmull_rom(x)[a] * catmull_rom(y)[b] + half * bend) * n;
       if (!curved) continue;
       e.du += catmull_rom_derivative(x)[a] * catmull_rom(y)[b] * n;
@@ -171,7 +172,8 @@ void expect_twin(const Case& c, const MixtureSettings& settings, int count) {
     pndf.evaluate({&s, 1}, {&value, 1});
     const double expected = slow_mixture(c.surface, settings, c.footprint, c.roughness, s);
     ASSERT_TRUE(std::isfinite(value) && value >= 0) << what;
-    ASSERT_NEAR(value / peak, expected / peak, 2e-5 + 1e-4 * expected / peak) << what;
+    // Of each element the cut leaves out at most exp(-12.5) = 4e-6 of the roughness' own peak.
+    ASSERT_NEAR(value / peak, expected / peak, 8e-6 + 5e-4 * expected / peak) << what;
   }
 }
 
@@ -183,12 +185,50 @@ TEST(Mixture, IsItsTwinForEveryStepAndKind) {
   }
 }
 
+TEST(Mixture, IsItsTwinForTheFinestAndWidestStepsOnTheSmallestMaps) {
+  for (const auto& [width, height] : {std::pair(1, 1), std::pair(1, 8), std::pair(8, 1), std::pair(3, 7)}) {
+    const Case c{"a map of " + std::to_string(width) + " x " + std::to_string(height),
+                 Surface(test::rough_map(width, height, Wrap::repeat, 0.1), Interpolation::smooth),
+                 isotropic_footprint({0.4, 0.1}, 0.2), 0.02};
+    for (const double step : {0.05, 0.7, 8.0}) expect_twin(c, {step, std::nullopt, MixtureElements::corrected}, 2);
+  }
+}
+
+TEST(Mixture, IsItsTwinWhereRoughnessIsSmallAgainstTheSlope) {
+  // |J| h is 100 times sigma_r; elements are needles.
+  const Case c{"needles", Surface(test::wavy_map(48, 32, Wrap::repeat), Interpolation::smooth),
+               test::turned_footprint({20.3, 11.1}, 8, 0.02, 0.7), 1e-4};
+  for (const double step : {1.0, 0.5}) expect_twin(c, {step, std::nullopt, MixtureElements::corrected}, 4);
+}
+
+TEST(Mixture, OfARoughnessThatFloatsDoNotHoldIsExact) {
+  const Surface surface(test::constant_map({0.1, -0.2}, Wrap::repeat, 8), Interpolation::smooth);
+  const Footprint footprint = isotropic_footprint({3, 3}, 1);
+  const glm::dvec2 s(surface.map().texel(0, 0));
+  const double peak = 1 / (2 * std::numbers::pi * 1e-18);
+  EXPECT_NEAR(test::density_of(MixturePndf(surface, 1e-9), footprint, s) / peak, 1, 1e-6);
+  EXPECT_EQ(test::density_of(MixturePndf(surface, 1e-9), footprint, s + glm::dvec2(1e-7, 0)), 0);
+}
+
 TEST(Mixture, IsItsTwinInEveryInstructionSet) {
   const test::InstructionSetGuard guard;
   for (const InstructionSet set : supported_instruction_sets()) {
     force_instruction_set(set);
     expect_twin(cases()[0], {}, 6);
     expect_twin(cases()[3], {0.3, 0.6, MixtureElements::corrected}, 6);
+  }
+}
+
+TEST(Mixture, PictureIsTheSameInEveryInstructionSet) {
+  const test::InstructionSetGuard guard;
+  const Case c = cases()[3];
+  const PndfGrid grid = fitted_window(c.surface, c.footprint, c.roughness, 61);
+  std::vector<std::vector<double>> made;
+  for (const InstructionSet set : supported_instruction_sets()) {
+    force_instruction_set(set);
+    made.push_back(test::image_of(MixturePndf(c.surface, c.roughness), c.footprint, grid).density);
+    // They differ in which cells beyond the cut they visit besides.
+    EXPECT_LE(test::relative_l1(made.back(), made.front()), 1.5e-3) << instruction_set_name(set);
   }
 }
 
@@ -226,7 +266,7 @@ TEST(Mixture, PictureIsThatOfItsSingleNormals) {
     EXPECT_LE(test::relative_l1(image.density, expected), 3e-3) << c.what;
     const MixtureFrame frame(c.surface, {}, c.footprint, glm::dvec2(c.roughness), 6);
     const PreparedMixture prepared(frame, frame.rows());
-    EXPECT_NEAR(integral(image), prepared.mass(), 1.5e-3) << c.what;
+    EXPECT_NEAR(integral(image), prepared.mass(), 1e-3) << c.what << ": what is cut is given back";
   }
 }
 
@@ -376,7 +416,7 @@ TEST(Mixture, ErrorFallsWithTheSquareOfTheStepAndWithItsFourthPowerWhereCorrecte
     EXPECT_NEAR(order, 2, 0.35) << static_cast<int>(kind);
   }
   const double order = std::log2(error(1, MixtureElements::corrected) / error(0.5, MixtureElements::corrected));
-  EXPECT_GT(order, 3.5) << "about 4; more on so gentle a map";
+  EXPECT_NEAR(order, 4, 0.6);
   RecordProperty("order where corrected", std::to_string(order));
 }
 

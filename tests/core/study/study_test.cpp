@@ -102,6 +102,20 @@ TEST(Study, ReportsEveryMethodAgainstItsOwnSurface) {
   EXPECT_NEAR(binning.relative_l1 / binning.own_noise, 1, 0.15);
 }
 
+TEST(Study, HoldsTheMixtureOfALinearSurfaceAgainstTheSmoothOne) {
+  Document document = small_document();
+  document.methods = {PndfMethod::exact, PndfMethod::mixture};
+  document.surface.interpolation = Interpolation::linear;
+  JobControl control;
+  const auto results = run_study(document, surface_of(document, Interpolation::linear), {}, control);
+  ASSERT_TRUE(results);
+  EXPECT_EQ((*results)[0].surface, Interpolation::linear);
+  EXPECT_EQ((*results)[0].reference.surface, Interpolation::linear);
+  EXPECT_EQ((*results)[1].surface, Interpolation::smooth);
+  EXPECT_EQ((*results)[1].reference.surface, Interpolation::smooth);
+  EXPECT_LT((*results)[1].relative_l1, 0.02);
+}
+
 TEST(Study, ForcedReferenceSurfaceIsNamed) {
   Document document = small_document();
   document.methods = {PndfMethod::exact};
