@@ -143,7 +143,8 @@ std::optional<PndfImage> MixturePndf::image(const Footprint& footprint, const Pn
   for (std::size_t group = 1; group < groups; ++group) {
     for (std::size_t k = 0; k < image.density.size(); ++k) image.density[k] += parts[group][k];
   }
-  for (double& density : image.density) density /= frame.kept();
+  const double factor = 1 / frame.kept();
+  for (double& density : image.density) density *= factor;
   return image;
 }
 

@@ -55,10 +55,12 @@ void PictureBoard::set_reference(std::shared_ptr<const PndfImage> reference) {
   publish();
 }
 
-void PictureBoard::set_errors(std::size_t index, const std::optional<PndfErrors>& errors, double reference_error) {
+void PictureBoard::set_errors(std::size_t index, const std::optional<PndfErrors>& errors, double reference_error,
+                              std::shared_ptr<const PndfImage> reference) {
   const std::lock_guard lock(mutex_);
   slots_[index].picture.errors = errors;
   slots_[index].picture.reference_error = reference_error;
+  slots_[index].picture.reference = std::move(reference);
   publish();
 }
 

@@ -54,7 +54,8 @@ class PictureBoard {
   /// The picture of a method; its revision is set here.
   void set_picture(std::size_t index, view::MethodPicture picture);
   void set_reference(std::shared_ptr<const PndfImage> reference);
-  void set_errors(std::size_t index, const std::optional<PndfErrors>& errors, double reference_error);
+  void set_errors(std::size_t index, const std::optional<PndfErrors>& errors, double reference_error,
+                  std::shared_ptr<const PndfImage> reference);
   /// Of the better picture of `method`, if one is expected.
   void set_progress(PndfMethod method, double progress);
   /// No better pictures are to be expected.

@@ -171,7 +171,7 @@ void PndfJobs::compute_errors(const Run& run) {
     // Against a window that holds none of the P-NDF there is no relative error.
     const bool has_mass = integral(reference->image) > 0;
     board_.set_errors(k, has_mass ? std::optional(compare(*picture.image, reference->image)) : std::nullopt,
-                      reference->own_error);
+                      reference->own_error, {reference, &reference->image});
     wake_();
   }
 }

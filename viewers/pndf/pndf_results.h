@@ -33,6 +33,7 @@ struct MethodPicture {
   double milliseconds = 0;                        ///< of `image` alone; nothing of building or waiting is in it
   std::optional<PndfErrors> errors;               ///< against the reference of its surface; unknown until that is there
   double reference_error = 0;                     ///< of the reference itself, where `errors` are known
+  std::shared_ptr<const PndfImage> reference;     ///< in double precision on the same surface; null: not there yet
   double progress = 1;                            ///< of the better picture under way, 1 when there is none
   std::uint64_t revision = 0;                     ///< of the document it shows; older than the results': to be dimmed
 };
@@ -45,7 +46,7 @@ struct PndfResults {
   std::shared_ptr<const SurfaceInUse> surface;  ///< never null
   PndfGrid grid;                                ///< of the full pictures
   std::vector<MethodPicture> methods;           ///< in the order of the document
-  std::shared_ptr<const PndfImage> reference;   ///< in double precision on the same surface; null: not there yet
+  std::shared_ptr<const PndfImage> reference;   ///< in double precision on the document's surface; null: not there yet
 };
 
 }  // namespace glint::view

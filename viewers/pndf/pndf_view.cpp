@@ -212,8 +212,10 @@ void PndfView::State::flip(Ui& ui, const PndfInput& input, MethodColumn& column)
   const MethodPicture* exact = picture_of(input.results.get(), PndfMethod::exact);
   column.state.chips.clear();
   column.state.progress = 1;  // of another picture
-  if (input.results && input.results->reference) {
-    column.shown = &pictures.shown(ui.gl, input.results->reference);
+  const ImagePointer own = column.picture != nullptr ? column.picture->reference : nullptr;
+  const ImagePointer reference = own || !input.results ? own : input.results->reference;
+  if (reference) {
+    column.shown = &pictures.shown(ui.gl, reference);
     column.state.chips.push_back({"reference", {}});
   } else if (exact != nullptr && exact->image) {
     column.shown = &pictures.shown(ui.gl, exact->image);
