@@ -3,7 +3,6 @@
 #include <array>
 #include <cassert>
 #include <cstdint>
-#include <optional>
 #include <span>
 
 #include "core/pndf/query_scratch.h"
@@ -40,12 +39,12 @@ class Query {
     }
   }
 
-  void densities(std::span<std::optional<double>> out) {
+  void densities(std::span<double> out) {
     const std::uint32_t all = (1U << count_) - 1;
     for (const QueryGroup& group : frame_.groups) search_group(group, all);
     for (std::size_t q = 0; q < count_; ++q) {
       sum_found(q);
-      out[q] = is_refused(q) ? std::nullopt : std::optional(states_[q].total);
+      out[q] = states_[q].total;
     }
   }
 
@@ -59,17 +58,9 @@ class Query {
     double total = 0;
   };
 
-  // A triangle was too long.
-  [[nodiscard]] bool is_refused(std::size_t q) const { return (refused_ >> q & 1U) != 0; }
-
   void sum_found(std::size_t q) {
     State& state = states_[q];
-    if (!is_refused(q)) {
-      const std::optional<double> sum =
-          TriangleSum(frame_, cell_size(), state.normal, arrays_).sum(arrays_.triangles[q]);
-      if (!sum) refused_ |= 1U << q;
-      state.total += sum.value_or(0);
-    }
+    state.total += TriangleSum(frame_, cell_size(), state.normal, arrays_).sum(arrays_.triangles[q]);
     arrays_.triangles[q].count = 0;
   }
 
@@ -178,8 +169,6 @@ class Query {
     const NormalMap& map = cells.surface().map();
     const std::int64_t i = cells.axis_u().first + column;
     const std::int64_t j = cells.axis_v().first + row;
-    active &= ~refused_;
-    if (active == 0) return;
     const std::uint32_t there =
         cells_there(static_cast<int>(cells.axis_u().count) - column, static_cast<int>(cells.axis_v().count) - row);
     if (is_linear()) {
@@ -280,13 +269,11 @@ class Query {
   float normal_room_;  // squared roughness
   std::size_t count_;
   std::array<State, k_query_batch> states_{};
-  std::uint32_t refused_ = 0;  // one bit a normal
 };
 
 }  // namespace
 
-void query(const QueryFrame& frame, std::span<const glm::dvec2> s, QueryScratch& scratch,
-           std::span<std::optional<double>> out) {
+void query(const QueryFrame& frame, std::span<const glm::dvec2> s, QueryScratch& scratch, std::span<double> out) {
   Query(frame, s, scratch.arrays()).densities(out);
 }
 
@@ -302,8 +289,7 @@ HWY_EXPORT(query);
 QueryScratch::QueryScratch() : arrays_(std::make_unique<Arrays>()) {}
 QueryScratch::~QueryScratch() = default;
 
-void exact_query(const QueryFrame& frame, std::span<const glm::dvec2> s, QueryScratch& scratch,
-                 std::span<std::optional<double>> out) {
+void exact_query(const QueryFrame& frame, std::span<const glm::dvec2> s, QueryScratch& scratch, std::span<double> out) {
   assert(!s.empty() && s.size() <= k_query_batch && out.size() >= s.size());
   HWY_DYNAMIC_DISPATCH(query)(frame, s, scratch, out);
 }

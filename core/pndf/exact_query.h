@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -65,7 +64,6 @@ QueryFrame make_query_frame(const SurfaceCells& cells, const NormalBounds& bound
 
 /// D_P(s[k]) into out[k], of 1 to k_query_batch normals; never negative, NaN or infinite, and the same whichever
 /// normals are asked together. Nothing where a triangle is too long for single precision.
-void exact_query(const QueryFrame& frame, std::span<const glm::dvec2> s, QueryScratch& scratch,
-                 std::span<std::optional<double>> out);
+void exact_query(const QueryFrame& frame, std::span<const glm::dvec2> s, QueryScratch& scratch, std::span<double> out);
 
 }  // namespace glint

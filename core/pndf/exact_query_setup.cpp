@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "core/pndf/exact_query.h"
+#include "core/pndf/query_scratch.h"
+#include "core/pndf/triangle_kernel.h"
 
 namespace glint {
 namespace {
@@ -77,6 +79,21 @@ QueryFrame make_query_frame(const SurfaceCells& cells, const NormalBounds& bound
                });
   });
   return frame;
+}
+
+double sum_in_double(const QueryFrame& frame, const TriangleList& triangles, float leg,
+                     const std::array<float, 2>& low) {
+  const Whitening whitening{frame.w11, frame.w12, frame.w22};
+  const double roughness = 1 / static_cast<double>(frame.inverse_roughness);
+  double sum = 0;
+  for (std::size_t k = 0; k < triangles.count; ++k) {
+    const auto pair = [&](std::size_t field) {
+      return glm::dvec2(triangles.fields[field][k], triangles.fields[field + 1][k]);
+    };
+    const SurfaceTriangle triangle{pair(0), leg, leg, {pair(2), pair(4), pair(6)}};
+    sum += TriangleKernel(triangle, whitening, glm::dvec2(roughness)).density({low[0], low[1]}, frame.cut);
+  }
+  return sum;
 }
 
 }  // namespace glint

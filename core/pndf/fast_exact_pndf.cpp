@@ -1,8 +1,6 @@
 #include "core/pndf/fast_exact_pndf.h"
 
 #include <algorithm>
-#include <array>
-#include <optional>
 #include <utility>
 
 #include "core/math/flush_to_zero.h"
@@ -19,7 +17,7 @@ ExactSettings with_image_cut(ExactSettings settings) {
   return settings;
 }
 
-// Queries of one footprint; asks double precision where it must.
+// Queries of one footprint.
 class FastExactFootprint final : public FootprintPndf {
  public:
   FastExactFootprint(const ExactPndf& model, const NormalBounds& bounds, const Footprint& footprint,
@@ -32,11 +30,9 @@ class FastExactFootprint final : public FootprintPndf {
   void evaluate(std::span<const glm::dvec2> s, std::span<double> density) const override {
     thread_local QueryScratch scratch;
     const FlushToZero quick;
-    std::array<std::optional<double>, k_query_batch> values;
     for (std::size_t first = 0; first < s.size(); first += k_query_batch) {
       const std::size_t count = std::min(k_query_batch, s.size() - first);
-      exact_query(frame_, s.subspan(first, count), scratch, values);
-      for (std::size_t k = 0; k < count; ++k) density[first + k] = values[k] ? *values[k] : in_double(s[first + k]);
+      exact_query(frame_, s.subspan(first, count), scratch, density.subspan(first, count));
     }
   }
 
@@ -47,11 +43,6 @@ class FastExactFootprint final : public FootprintPndf {
   [[nodiscard]] PndfError error() const override { return {PndfError::Kind::estimated, 1.3e-4}; }
 
  private:
-  [[nodiscard]] double in_double(glm::dvec2 s) const {
-    PndfWorkspace workspace;
-    return model_.at(footprint_, workspace).pdf(s);
-  }
-
   const ExactPndf& model_;
   Footprint footprint_;
   QueryFrame frame_;

@@ -43,8 +43,14 @@ using WhiteList = FieldList<6>;
 /// Rays of whitened triangles: apex, start of the edge, the edge, residual, factor, nodes wanted.
 using RayList = FieldList<9>;
 
+/// Of triangles that are too long for single precision: their part of D_P at the normal that they are relative to, of
+/// which `low` is still to be taken.
+double sum_in_double(const QueryFrame& frame, const TriangleList& triangles, float leg,
+                     const std::array<float, 2>& low);
+
 struct QueryScratch::Arrays {
   std::array<TriangleList, k_query_batch> triangles;
+  TriangleList long_triangles;  ///< for double precision
   WhiteList short_triangles;
   RayList few_rays;  ///< of triangles that need few
   RayList many_rays;

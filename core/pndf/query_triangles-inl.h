@@ -10,7 +10,6 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include <hwy/highway.h>
@@ -67,8 +66,9 @@ class TriangleSum {
   TriangleSum(const QueryFrame& frame, float leg, const QueryNormal& normal, QueryScratch::Arrays& arrays)
       : frame_(frame), leg_(leg), low_(normal.low), arrays_(arrays) {}
 
-  // Nothing where a triangle is too long.
-  std::optional<double> sum(TriangleList& list) {
+  double sum(TriangleList& list) {
+    arrays_.long_triangles.count = 0;
+    arrays_.long_triangles.reserve(list.count + static_cast<std::size_t>(k_lanes));
     arrays_.short_triangles.count = 0;
     arrays_.short_triangles.reserve(list.count + static_cast<std::size_t>(k_lanes));
     for (RayList* rays : {&arrays_.few_rays, &arrays_.many_rays}) {
@@ -79,8 +79,8 @@ class TriangleSum {
     for_vectors(list, list.count,
                 [&](const std::array<V, TriangleList::k_fields>& of, hn::Mask<Floats> there)
                     HWY_ATTR { add(of, there); });
-    if (too_long_) return std::nullopt;
-    return static_cast<double>(leg_ * leg_ * frame_.scale) * (sum_short() + sum_rays());
+    return static_cast<double>(leg_ * leg_ * frame_.scale) * (sum_short() + sum_rays()) +
+           sum_in_double(frame_, arrays_.long_triangles, leg_, low_);
   }
 
  private:
@@ -102,7 +102,11 @@ class TriangleSum {
     const V across = hn::Sub(white.r12, white.r11);
     const V between = dot2(across, across, white.r22, white.r22);
     const V longest = hn::Max(to_du, hn::Max(to_dv, between));
-    too_long_ |= !hn::AllTrue(d, hn::Lt(longest, hn::Set(d, k_longest_edge * k_longest_edge)));
+    const auto too_long = hn::AndNot(hn::Lt(longest, hn::Set(d, k_longest_query_edge * k_longest_query_edge)), there);
+    if (!hn::AllFalse(d, too_long)) {
+      append(of, too_long, arrays_.long_triangles);
+      there = hn::AndNot(too_long, there);
+    }
     // What the residual leaves of the squared cut.
     const V room = hn::MulAdd(white.residual, hn::Set(d, 1 / (k_unit * k_unit)), hn::Set(d, cut * cut));
     there = hn::And(there, hn::Gt(room, hn::Zero(d)));
@@ -217,7 +221,6 @@ class TriangleSum {
   float leg_;
   std::array<float, 2> low_;
   QueryScratch::Arrays& arrays_;
-  bool too_long_ = false;
 };
 
 }  // namespace

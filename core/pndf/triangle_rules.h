@@ -12,7 +12,8 @@ inline constexpr int k_most_panel_nodes = 24;
 
 // Of whitened edges, deviations: up to here a cubature does, above there double precision must.
 inline constexpr float k_longest_cubature = 2;
-inline constexpr float k_longest_edge = 250;
+inline constexpr float k_longest_query_edge = 60;
+inline constexpr float k_longest_edge = 250;  // of images
 
 // Gauss rules of floats, padded to whole vectors.
 struct RayRules {

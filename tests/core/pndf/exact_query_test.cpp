@@ -37,7 +37,7 @@ std::vector<Case> cases() {
       {"across the border", odd, isotropic_footprint({66.9, 129.8}, 4), 0.01},
       {"many periods away", odd, isotropic_footprint({67 * 300 + 0.2, -130 * 200 + 0.3}, 2), 0.01},
       {"larger than the map", small, isotropic_footprint({3, 3}, 6), 0.02},
-      {"a hundredth of a texel", odd, isotropic_footprint({33.3, 60.1}, 0.01), 0.01, 4e-5},  // edges of 100 deviations
+      {"a hundredth of a texel", odd, isotropic_footprint({33.3, 60.1}, 0.01), 0.01, 4e-5},  // what the cut leaves out
       {"one to a hundred at 45 degrees", odd, test::turned_footprint({31, 33}, 8, 0.08, 0.785398163), 0.01},
       {"one to ten thousand at 45 degrees", odd, test::turned_footprint({31, 33}, 30, 0.003, 0.785398163), 0.01},
       {"hardly any roughness", odd, isotropic_footprint({33.3, 60.1}, 0.5), 1e-8},
