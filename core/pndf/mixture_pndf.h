@@ -13,8 +13,9 @@ namespace glint {
 
 /// Elements are implicit in the map: nothing is built or stored, whatever the step. A model of the smooth surface, off
 /// by O(h^2), or O(h^4) with corrected elements; of the constant surface, for which its elements are flat. Images cut
-/// jointly at R = 4.2 and are scaled by what that loses, 1.5e-3 of the mass; single normals cut at R = 5. Footprints that
-/// reach far beyond the map, or to which single precision does not do, and a roughness below 1e-6 are evaluated exactly.
+/// jointly at R = 4.2 and are scaled by what that loses, 1.5e-3 of the mass; single normals cut at R = 5. Footprints
+/// that reach far beyond the map, or to which single precision does not do, and a roughness below 1e-6 are evaluated
+/// exactly.
 class MixturePndf final : public PndfModel {
  public:
   static constexpr double k_image_cut = 4.2;
