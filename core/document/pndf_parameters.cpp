@@ -108,8 +108,8 @@ constexpr std::array k_parameters{
               .kind = ParameterKind::number,
               .range = {k_least_step, k_largest_step},
               .slider = {0.2, 2, true},
-              .help = "How far apart the mixture's elements are seeded: half of it costs four times as much and is "
-                      "sixteen times closer.",
+              .help = "How far apart the mixture's elements are seeded: half of it costs four times as much and is, "
+                      "where elements are corrected, some six times closer.",
               .source = "Yan et al. 2016, section 4: 2, 1, 0.5, 1/3 or 0.25",
               .access = at<[](auto& d) -> auto& { return d.mixture.step; }>(),
               .matters = of_mixture},

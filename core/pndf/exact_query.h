@@ -16,6 +16,9 @@
 
 namespace glint {
 
+/// Below this roughness a float does not hold a normal to a deviation.
+inline constexpr double k_least_single_roughness = 1e-6;
+
 /// Normals that are searched together, at most.
 inline constexpr std::size_t k_query_batch = 8;
 

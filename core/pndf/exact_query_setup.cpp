@@ -12,7 +12,6 @@
 namespace glint {
 namespace {
 
-constexpr double k_least_roughness = 1e-6;  // below it a float does not hold a normal to a deviation
 constexpr double k_most_groups = 1e6;
 
 // Of cells that the footprint reaches.
@@ -43,7 +42,7 @@ void for_groups(const SurfaceCells::Axis& axis, double first_offset, double reac
 bool can_query(const SurfaceCells& cells, const FootprintWindow& window, glm::dvec2 center, double roughness,
                double cut) {
   assert(cut * cut < 31 && "children without cells are told by bounds 32 squared roughnesses away");
-  if (roughness < k_least_roughness || !suits_single_precision(window, cut)) return false;
+  if (roughness < k_least_single_roughness || !suits_single_precision(window, cut)) return false;
   if (group_estimate(cells.surface().map(), window, cut) > k_most_groups) return false;
   const Interpolation interpolation = cells.surface().interpolation();
   if (interpolation == Interpolation::constant || cells.vertex_shift()) return false;

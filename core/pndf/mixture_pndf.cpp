@@ -7,6 +7,7 @@
 
 #include "core/math/flush_to_zero.h"
 #include "core/pndf/cell_visit.h"
+#include "core/pndf/exact_query.h"
 #include "core/pndf/footprint_window.h"
 #include "core/pndf/mixture_query.h"
 #include "core/pndf/mixture_rows.h"
@@ -60,12 +61,10 @@ class MixtureFootprint final : public FootprintPndf {
   double mass_;  // of wide footprints, whose lattice does not ripple: 1
 };
 
-constexpr double k_least_roughness = 1e-6;  // below it a float does not hold a normal to a deviation
-
 // Whether the exact method answers: what such a footprint sees it sees again and again, or single precision does not
 // do.
 bool is_for_exact(const MixtureFrame& frame) {
-  if (std::min(frame.roughness.x, frame.roughness.y) < k_least_roughness) return true;
+  if (std::min(frame.roughness.x, frame.roughness.y) < k_least_single_roughness) return true;
   if (frame.uniform) return false;
   const double seeds = static_cast<double>(frame.map->width()) * frame.map->height() / frame.lattice.area();
   return frame.elements_within() > 4 * seeds + 1e6 ||

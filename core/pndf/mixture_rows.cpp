@@ -1,14 +1,10 @@
 #include "core/pndf/mixture_rows.h"
 
 #include <array>
-#include <cmath>
-#include <numbers>
 #include <optional>
 #include <span>
 
-#include "core/pndf/footprint_window.h"
 #include "core/pndf/mixture_row_state.h"
-#include "core/surface/catmull_rom.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/pndf/mixture_rows.cpp"
@@ -170,7 +166,6 @@ void add_run(const MixtureFrame& frame, const FrameLanes& f, const MixtureRows::
     append(amplitude, front, out.amplitude, at);
     append(room, front, out.room, at);
     append(o_u, front, out.u, at);
-    append(o_v, front, out.v, at);
     out.count += hn::CountTrue(d, there);
   }
 }
@@ -210,7 +205,7 @@ void MixtureRows::append(std::int64_t row, ElementList& out) {
 
 void ElementList::reserve(std::size_t size) {
   if (x.size() >= size) return;
-  for (std::vector<float>* field : {&x, &y, &w11, &w12, &w22, &amplitude, &room, &u, &v}) field->resize(size);
+  for (std::vector<float>* field : {&x, &y, &w11, &w12, &w22, &amplitude, &room, &u}) field->resize(size);
 }
 
 }  // namespace glint

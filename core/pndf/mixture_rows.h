@@ -58,7 +58,7 @@ struct ElementList {
   std::vector<float> w11, w12, w22;  // whitening
   std::vector<float> amplitude;      // weight / sqrt(det covariance) exp(-d^2 / 2): the density at the mean
   std::vector<float> room;
-  std::vector<float> u, v;  // offset of the seed, texels
+  std::vector<float> u;  // of the seed, from the footprint's centre, texels
   std::size_t count = 0;
 
   void reserve(std::size_t size);
