@@ -59,8 +59,11 @@ std::optional<Error> footprint_position_fault(const Footprint& footprint, const 
                                                " texels, which clamps; a map that repeats would wrap it");
 }
 
-std::unique_ptr<PndfModel> make_document_model(const Document& document, PndfMethod method, const Surface& surface) {
-  return make_model(method, surface, document.intrinsic_roughness, settings_of(document));
+std::unique_ptr<PndfModel> make_document_model(const Document& document, PndfMethod method, const Surface& surface,
+                                               std::shared_ptr<const MixtureAtlas> atlas) {
+  ModelSettings settings = settings_of(document);
+  settings.atlas = std::move(atlas);
+  return make_model(method, surface, document.intrinsic_roughness, settings);
 }
 
 std::unique_ptr<PndfModel> make_coarse_model(const Document& document, PndfMethod method, const Surface& surface) {

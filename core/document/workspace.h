@@ -33,8 +33,10 @@ Result<LoadedSurface> load_surface(const SurfaceDescription& description, JobCon
 /// The fault of a document's footprint on that map, if any: a centre outside a map that clamps.
 std::optional<Error> footprint_position_fault(const Footprint& footprint, const NormalMap& map);
 
-/// The model of one of the document's methods on `surface`.
-std::unique_ptr<PndfModel> make_document_model(const Document& document, PndfMethod method, const Surface& surface);
+/// The model of one of the document's methods on `surface`. Mixtures look wide footprints up in the atlas, if there is
+/// one.
+std::unique_ptr<PndfModel> make_document_model(const Document& document, PndfMethod method, const Surface& surface,
+                                               std::shared_ptr<const MixtureAtlas> atlas = nullptr);
 
 /// A cheap model of the same method, for a first picture while the document's own is computed: exact with 2 triangles a
 /// texel on the smooth surface and a joint cut that loses 1e-3 of the mass, binning with at most 100 000 samples.

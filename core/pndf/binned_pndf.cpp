@@ -144,7 +144,7 @@ std::optional<PndfImage> BinnedPndf::image(const Footprint& footprint, const Pnd
   image.invalid_samples = histogram->invalid;
   image.outside_samples = histogram->outside;
   const double noise = own_noise(image, settings_.samples);
-  if (noise > 0) image.error = {PndfError::Kind::estimated, noise};  // an empty image tells nothing about itself
+  if (noise > 0) image.error = {0, noise};  // an empty image tells nothing about itself
   return image;
 }
 

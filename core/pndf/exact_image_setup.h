@@ -35,7 +35,7 @@ class ExactImageSetup {
   /// What the cut loses is bounded as a share of the whole mass; the error is relative to what the window holds.
   [[nodiscard]] PndfError cut_error(double held) const {
     const double half = 0.5 * cut_ * cut_;
-    return held > 0 ? PndfError{PndfError::Kind::bounded, std::exp(-half) * (1 + half) / held} : PndfError{};
+    return held > 0 ? PndfError{std::exp(-half) * (1 + half) / held, 0} : PndfError{};
   }
 
   const SurfaceCells& cells_;

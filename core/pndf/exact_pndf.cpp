@@ -48,8 +48,8 @@ class ExactFootprint final : public FootprintPndf {
 
   [[nodiscard]] PndfError error() const override {
     // The series and polynomials of a folded footprint are good to their rounding, which nobody has bounded.
-    if (folded_) return {PndfError::Kind::estimated, k_folded_error};
-    return {PndfError::Kind::bounded, k_truncation};
+    if (folded_) return {0, k_folded_error};
+    return {k_truncation, 0};
   }
 
  private:

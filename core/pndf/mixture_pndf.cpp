@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/math/flush_to_zero.h"
 #include "core/pndf/cell_visit.h"
 #include "core/pndf/exact_query.h"
 #include "core/pndf/footprint_window.h"
+#include "core/pndf/mixture_merge.h"
 #include "core/pndf/mixture_query.h"
 #include "core/pndf/mixture_rows.h"
 #include "core/pndf/mixture_sampler.h"
@@ -71,15 +74,19 @@ bool is_for_exact(const MixtureFrame& frame) {
          !suits_single_precision(FootprintWindow(frame.widened), frame.cut);
 }
 
-Surface modelled(const Surface& surface) {
+}  // namespace
+
+Surface MixturePndf::modelled(const Surface& surface) {
   const bool constant = surface.interpolation() == Interpolation::constant;
   return {surface.shared_map(), constant ? Interpolation::constant : Interpolation::smooth};
 }
 
-}  // namespace
-
-MixturePndf::MixturePndf(const Surface& surface, double intrinsic_roughness, const MixtureSettings& settings)
-    : surface_(modelled(surface)), intrinsic_roughness_(intrinsic_roughness), settings_(settings) {}
+MixturePndf::MixturePndf(const Surface& surface, double intrinsic_roughness, const MixtureSettings& settings,
+                         std::shared_ptr<const MixtureAtlas> atlas)
+    : surface_(modelled(surface)),
+      intrinsic_roughness_(intrinsic_roughness),
+      settings_(settings),
+      atlas_(std::move(atlas)) {}
 
 PndfModelInfo MixturePndf::info() const {
   return {"mixture", surface_.interpolation(),
@@ -101,6 +108,9 @@ FootprintPndf& MixturePndf::at(const Footprint& footprint, PndfWorkspace& worksp
 
 std::optional<PndfImage> MixturePndf::image(const Footprint& footprint, const PndfGrid& grid,
                                             JobControl& control) const {
+  if (atlas_ && atlas_->is_of(surface_, intrinsic_roughness_, settings_, grid)) {
+    if (std::optional<PndfImage> looked_up = atlas_->image(footprint)) return looked_up;
+  }
   PndfImage image;
   image.grid = grid;
   image.widening = widening_for(grid, intrinsic_roughness_);
@@ -113,23 +123,29 @@ std::optional<PndfImage> MixturePndf::image(const Footprint& footprint, const Pn
   const auto [first, last] = frame.rows();
   image.density.resize(grid.cells());
   if (last < first) return image;  // between seeds that do not reach it
-  const auto count = static_cast<std::size_t>(last - first + 1);
+  const auto count = static_cast<std::size_t>((last - first) / ElementMerger::k_rows + 1);
   const std::size_t room = std::max<std::size_t>(k_group_cells / grid.cells(), 1);
   const std::size_t groups = std::clamp<std::size_t>(
       static_cast<std::size_t>(frame.elements_within() / k_group_elements), 1, std::min({count, k_most_groups, room}));
-  // Every group takes each so-manieth row: rows near the centre have more elements.
+  // Every group takes each so-manieth band of rows: those near the centre have more elements.
   std::vector<std::vector<double>> parts(groups);
+  std::vector<double> merging_errors(groups);
   const auto splat_group = [&](std::size_t group) {
     const FlushToZero quick;
     std::vector<double>& part = group == 0 ? image.density : parts[group];
     part.resize(grid.cells());
     MixtureCanvas canvas(grid);
     MixtureRows rows(frame);
+    ElementMerger merger(frame);
     ElementList list;
     std::size_t summed = 0;
-    for (std::size_t row = group; row < count && !control.cancelled(); row += groups) {
+    for (std::size_t band = group; band < count && !control.cancelled(); band += groups) {
       list.count = 0;
-      rows.append(first + static_cast<std::int64_t>(row), list);
+      const std::int64_t begin = first + static_cast<std::int64_t>(band) * ElementMerger::k_rows;
+      for (std::int64_t row = begin; row <= std::min(begin + ElementMerger::k_rows - 1, last); ++row) {
+        rows.append(row, list);
+      }
+      merging_errors[group] += merger.merge(list);
       splat_elements(list, canvas);
       summed += list.count;
       if (summed < k_most_summed) continue;
@@ -144,6 +160,7 @@ std::optional<PndfImage> MixturePndf::image(const Footprint& footprint, const Pn
   }
   const double factor = 1 / frame.kept();
   for (double& density : image.density) density *= factor;
+  image.error.bounded = std::accumulate(merging_errors.begin(), merging_errors.end(), 0.0);
   return image;
 }
 

@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "core/pndf/fast_exact_pndf.h"
+#include "core/pndf/mixture_atlas.h"
 #include "core/pndf/mixture_settings.h"
 #include "core/pndf/pndf_model.h"
 
@@ -22,7 +23,13 @@ class MixturePndf final : public PndfModel {
   static constexpr double k_query_cut = 5;
 
   /// `intrinsic_roughness` is sigma_r in (0, 1]. A linear surface is taken as the smooth one through its samples.
-  MixturePndf(const Surface& surface, double intrinsic_roughness, const MixtureSettings& settings = {});
+  /// Images of footprints whose blocks the atlas holds are taken from it, if it is of the same surface, roughness,
+  /// settings and grid.
+  MixturePndf(const Surface& surface, double intrinsic_roughness, const MixtureSettings& settings = {},
+              std::shared_ptr<const MixtureAtlas> atlas = nullptr);
+
+  /// The surface that a mixture over `surface` models.
+  static Surface modelled(const Surface& surface);
 
   [[nodiscard]] PndfModelInfo info() const override;
   FootprintPndf& at(const Footprint& footprint, PndfWorkspace& workspace) const override;
@@ -36,6 +43,7 @@ class MixturePndf final : public PndfModel {
   Surface surface_;
   double intrinsic_roughness_;
   MixtureSettings settings_;
+  std::shared_ptr<const MixtureAtlas> atlas_;
   mutable std::once_flag exact_built_;
   mutable std::unique_ptr<const FastExactPndf> exact_;
 };

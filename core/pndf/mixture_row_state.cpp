@@ -60,6 +60,7 @@ MixtureFrame::MixtureFrame(const Surface& surface, const MixtureSettings& settin
       piecewise_constant(surface.interpolation() == Interpolation::constant),
       elements(settings.elements),
       lattice(surface.map(), settings),
+      merge_bound(settings.merge_bound),
       center(of.center),
       roughness(normal_roughness),
       cut(joint_cut),
@@ -88,6 +89,25 @@ MixtureFrame::MixtureFrame(const Surface& surface, const MixtureSettings& settin
   weight = lattice.area() / (4 * std::numbers::pi * std::numbers::pi * std::sqrt(whole));
 }
 
+MixtureFrame::MixtureFrame(const Surface& surface, const MixtureSettings& settings, const SeedRectangle& seeds,
+                           glm::dvec2 origin, glm::dvec2 normal_roughness, double joint_cut)
+    : map(&surface.map()),
+      piecewise_constant(surface.interpolation() == Interpolation::constant),
+      elements(settings.elements),
+      lattice(surface.map(), settings),
+      merge_bound(settings.merge_bound),
+      center(origin),
+      roughness(normal_roughness),
+      cut(joint_cut),
+      footprint{1, 0, 1},
+      widened{1, 0, 1},
+      uniform(true),
+      whitening{0, 0, 0},
+      drift{0, 0, 0},
+      spread{lattice.deviation, 0, lattice.deviation},
+      weight(lattice.area() / (2 * std::numbers::pi)),
+      rectangle(seeds) {}
+
 namespace {
 
 MixtureFrame::Seeds seeds_within(double center, double reach, double step) {
@@ -103,11 +123,13 @@ MixtureFrame::Seeds all_seeds(int size, double step) {
 }  // namespace
 
 MixtureFrame::Seeds MixtureFrame::rows() const {
+  if (rectangle) return rectangle->rows;
   if (uniform) return all_seeds(map->height(), lattice.step.y);
   return seeds_within(center.y, cut * std::sqrt(widened.yy), lattice.step.y);
 }
 
 MixtureFrame::Seeds MixtureFrame::columns() const {
+  if (rectangle) return rectangle->columns;
   if (uniform) return all_seeds(map->width(), lattice.step.x);
   return seeds_within(center.x, cut * std::sqrt(widened.xx), lattice.step.x);
 }

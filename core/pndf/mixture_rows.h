@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -20,10 +21,22 @@ namespace glint {
 /// that its periods add up to a constant (to 1e-6) sees each seed of one period once: N(o_i; 0, V) is 1 / (map area), K
 /// is 0 and Sigma_e is sigma_h^2 I.
 struct MixtureFrame {
+  /// Seeds along one axis, first to last.
+  struct Seeds {
+    std::int64_t first;
+    std::int64_t last;
+  };
+
+  struct SeedRectangle {
+    Seeds columns;
+    Seeds rows;
+  };
+
   const NormalMap* map;
   bool piecewise_constant;  ///< seeds take the normal of the texel they lie in
   MixtureElements elements;
   MixtureLattice lattice;
+  double merge_bound;
   glm::dvec2 center;           ///< u_p, texels
   glm::dvec2 roughness;        ///< on each axis
   double cut;                  ///< joint cut R, deviations
@@ -33,16 +46,18 @@ struct MixtureFrame {
   Whitening whitening;         ///< of V; 0 where uniform
   SymmetricMatrix2 drift;      ///< K
   CholeskyFactor spread;       ///< L with L L^T = Sigma_e
-  double weight;               ///< a / (4 pi^2 sqrt(det V)); a / (2 pi map area) where uniform
+  double weight;               ///< a / (4 pi^2 sqrt(det V)); a / (2 pi map area) where uniform; a / 2 pi of a rectangle
+  std::optional<SeedRectangle> rectangle = {};  ///< of seeds, in place of those that a footprint reaches
 
   MixtureFrame(const Surface& surface, const MixtureSettings& settings, const Footprint& footprint,
                glm::dvec2 roughness, double cut);
 
-  /// Seeds that the footprint reaches along one axis, first to last.
-  struct Seeds {
-    std::int64_t first;
-    std::int64_t last;
-  };
+  /// No footprint, but the seeds of a rectangle, each with its whole weight a: sum of a N(s; s_i, diag(roughness^2) +
+  /// sigma_h^2 J_i J_i^T). Offsets are from `origin`.
+  MixtureFrame(const Surface& surface, const MixtureSettings& settings, const SeedRectangle& seeds, glm::dvec2 origin,
+               glm::dvec2 roughness, double cut);
+
+  /// Seeds that the footprint reaches along one axis.
   [[nodiscard]] Seeds rows() const;
   [[nodiscard]] Seeds columns() const;
   /// About how many elements are within the cut.

@@ -23,6 +23,9 @@ struct MixtureSettings {
   double step = 0.5;            ///< h, texels between seeds, 0.05 to 8
   std::optional<double> kappa;  ///< sigma_h / h; none: automatic_kappa(step)
   MixtureElements elements = MixtureElements::corrected;
+  /// Neighbours that are nearly alike are merged into one Gaussian where that moves less than this share of their
+  /// weight, for the roughness and footprint at hand (a bound, see ElementMerger); 0: never.
+  double merge_bound = 5e-3;
 
   friend bool operator==(const MixtureSettings&, const MixtureSettings&) = default;
 };

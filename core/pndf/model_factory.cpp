@@ -11,7 +11,7 @@ std::unique_ptr<PndfModel> make_model(PndfMethod method, const Surface& surface,
       }
       return std::make_unique<ExactPndf>(surface, intrinsic_roughness, settings.exact);
     case PndfMethod::mixture:
-      return std::make_unique<MixturePndf>(surface, intrinsic_roughness, settings.mixture);
+      return std::make_unique<MixturePndf>(surface, intrinsic_roughness, settings.mixture, settings.atlas);
     case PndfMethod::binning:
       return std::make_unique<BinnedPndf>(surface, intrinsic_roughness, settings.binned);
   }

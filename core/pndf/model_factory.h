@@ -22,6 +22,7 @@ struct ModelSettings {
   ExactPrecision precision = ExactPrecision::single_precision;
   MixtureSettings mixture;
   BinnedSettings binned;
+  std::shared_ptr<const MixtureAtlas> atlas;  ///< that mixtures look wide footprints up in, or null
 };
 
 std::unique_ptr<PndfModel> make_model(PndfMethod method, const Surface& surface, double intrinsic_roughness,

@@ -42,15 +42,23 @@ inline constexpr int k_largest_grid_side = 16384;
 /// What is wrong with it, as half a sentence, or nothing.
 std::optional<std::string> grid_fault(const PndfGrid& grid);
 
-/// How far a figure can be trusted, and who says so.
+/// What a method knows of its error (relative L1) without a reference, and how it knows.
 struct PndfError {
-  enum class Kind {
-    none,       ///< nothing is known
-    bounded,    ///< it cannot be larger
-    estimated,  ///< a measured guess; a standard error where the method is random
-  };
-  Kind kind = Kind::none;
-  double relative_l1 = 0;
+  double bounded = 0;  ///< its bounded parts cannot be larger together: cuts, merging, a footprint's windows
+  std::optional<double> estimated;  ///< a measured guess of all others: a standard error where the method is random, 0
+                                    ///< where there are none; nothing where there is no guess
+
+  /// Of all parts, where that is known.
+  [[nodiscard]] std::optional<double> total() const {
+    return estimated ? std::optional(bounded + *estimated) : std::nullopt;
+  }
+};
+
+/// Who computed an image, where a method chooses among others.
+struct PndfAnswer {
+  std::string text;   ///< "mixture, h = 0.5"; empty where there was no choice
+  double step = 0;    ///< of a mixture
+  bool known = true;  ///< whether the method's estimate met its tolerance
 };
 
 struct PndfImage {
@@ -59,6 +67,7 @@ struct PndfImage {
   std::vector<double> standard_error;  ///< of each cell; empty where the method has none
   glm::dvec2 widening{0, 0};           ///< variance added to sigma_r^2 along s and t: pitch^2 / 12, or 0
   PndfError error;
+  PndfAnswer answer;
   std::size_t invalid_samples = 0;  ///< Monte Carlo only: draws outside the unit disk
   std::size_t outside_samples = 0;  ///< Monte Carlo only: draws outside the window, valid or not
 };

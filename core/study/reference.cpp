@@ -57,7 +57,7 @@ std::optional<ReferenceImage> reference_image(const Surface& surface, double int
   if (surface.interpolation() != Interpolation::smooth) {
     std::optional<PndfImage> image = request.image(ExactSettings().subdivision, false);
     if (!image) return std::nullopt;
-    const double own_error = image->error.relative_l1;
+    const double own_error = image->error.bounded + image->error.estimated.value_or(0);
     return ReferenceImage{surface.interpolation(), std::move(*image), own_error, {}};
   }
   if (known) {

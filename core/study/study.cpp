@@ -95,7 +95,7 @@ std::optional<StudyResult> time_method(const Document& document, PndfMethod meth
   result.query_count = lobe.count;
   result.query_uniform_us = window.mean_us;
   result.query_uniform_count = window.count;
-  result.own_noise = image.error.kind == PndfError::Kind::estimated ? image.error.relative_l1 : 0;
+  result.own_noise = image.standard_error.empty() ? 0 : image.error.estimated.value_or(0);
   return result;
 }
 

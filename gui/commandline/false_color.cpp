@@ -39,8 +39,9 @@ PictureEntry entry_of(const Document& document, const MethodImage& m) {
 }  // namespace
 
 std::string noise_text(const PndfImage& image) {
-  if (image.error.kind == PndfError::Kind::estimated) return fmt::format("{:.2g} %", 100 * image.error.relative_l1);
-  return image.standard_error.empty() ? "none" : "unknown";  // without a sample in the window
+  if (image.standard_error.empty()) return "none";
+  if (!image.error.estimated) return "unknown";  // without a sample in the window
+  return fmt::format("{:.2g} %", 100 * *image.error.estimated);
 }
 
 Canvas false_color_picture(const Document& document, std::span<const MethodImage> images) {

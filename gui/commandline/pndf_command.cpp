@@ -196,8 +196,7 @@ class PndfCommand final : public Command {
         result["kappa"] = document.mixture.kappa.value_or(automatic_kappa(document.mixture.step));
       }
       if (m.method == PndfMethod::binning) {
-        const bool known = m.image.error.kind == PndfError::Kind::estimated;
-        result["own_noise"] = known ? Json(m.image.error.relative_l1) : Json();
+        result["own_noise"] = m.image.error.estimated ? Json(*m.image.error.estimated) : Json();
         result["invalid_samples"] = m.image.invalid_samples;
         result["outside_samples"] = m.image.outside_samples;
       }

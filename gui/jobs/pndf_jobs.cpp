@@ -59,6 +59,12 @@ std::vector<PictureIdentity> identities_of(const Document& document, const Surfa
   return identities;
 }
 
+// The mixture that a picture of the document comes from; auto's is that which answered last.
+std::optional<MixtureSettings> mixture_of(const Document& document, const view::MethodPicture& picture) {
+  if (picture.method == PndfMethod::mixture) return document.mixture;
+  return std::nullopt;
+}
+
 // A method of counts holds means over its cells and is held against such.
 CellContent content_of(const PndfImage& image) {
   return image.standard_error.empty() ? CellContent::point : CellContent::mean;
@@ -111,6 +117,7 @@ void PndfJobs::compute(PictureBoard::Label label, const std::shared_ptr<const vi
   compute_first_pictures(run);
   steps.end_sparing();
   compute_full_pictures(run);
+  prepare_atlas(run);
   compute_errors(run);
 }
 
@@ -139,12 +146,28 @@ void PndfJobs::compute_full_pictures(const Run& run) {
   }
 }
 
+// While the document is left alone: the next footprints are looked up.
+void PndfJobs::prepare_atlas(const Run& run) {
+  for (std::size_t k = 0; k < run.document.methods.size() && !run.steps.cancelled(); ++k) {
+    const view::MethodPicture picture = board_.picture(k);
+    const std::optional<MixtureSettings> settings = mixture_of(run.document, picture);
+    if (!settings) continue;
+    atlas_.prepare(run.document, *settings, run.surface->loaded.surface, run.grid, run.steps);
+    return;
+  }
+}
+
 void PndfJobs::compute_picture(const Run& run, std::size_t index, bool coarse) {
   const PndfMethod method = run.document.methods[index];
   const Surface& surface = run.surface->loaded.surface;
   JobControl& control = run.steps.begin(method_title(method), method);
-  const std::unique_ptr<PndfModel> model =
-      coarse ? make_coarse_model(run.document, method, surface) : make_document_model(run.document, method, surface);
+  std::shared_ptr<const MixtureAtlas> atlas;
+  if (const auto settings = mixture_of(run.document, board_.picture(index)); settings) {
+    atlas = atlas_.for_picture(run.document, *settings, surface, run.grid, control);
+  }
+  if (atlas) coarse = false;  // the full picture is there at once
+  const std::unique_ptr<PndfModel> model = coarse ? make_coarse_model(run.document, method, surface)
+                                                  : make_document_model(run.document, method, surface, atlas);
   const PndfGrid grid = coarse ? coarse_grid(run.grid) : run.grid;
   const Clock::time_point began = Clock::now();
   std::optional<PndfImage> image = model->image(run.document.footprint, grid, control);

@@ -13,6 +13,7 @@
 #include "core/document/document.h"
 #include "core/document/workspace.h"
 #include "core/study/reference.h"
+#include "gui/jobs/atlas_keeper.h"
 #include "gui/jobs/error_inbox.h"
 #include "gui/jobs/latest_job.h"
 #include "gui/jobs/picture_board.h"
@@ -81,6 +82,7 @@ class PndfJobs {
   void compute(PictureBoard::Label label, const std::shared_ptr<const view::SurfaceInUse>& surface, JobSteps& steps);
   void compute_first_pictures(const Run& run);
   void compute_full_pictures(const Run& run);
+  void prepare_atlas(const Run& run);
   void compute_errors(const Run& run);
   void compute_picture(const Run& run, std::size_t index, bool coarse);
   bool report_fault(const Document& document, const Surface& surface, const PndfGrid& grid);
@@ -93,6 +95,7 @@ class PndfJobs {
   std::uint64_t requests_ = 0;
   std::vector<KeptReference> references_;  // only of the background thread
   std::optional<Error> last_fault_;        // likewise
+  AtlasKeeper atlas_;                      // likewise
   PictureBoard board_;
   const std::function<void()>& wake_;
   LatestJob job_;  // last: its thread uses the above

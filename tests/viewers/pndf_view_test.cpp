@@ -25,7 +25,7 @@ std::shared_ptr<const PndfImage> lobe_image(int cells, double height, bool rando
     }
   }
   if (random) image->standard_error.assign(image->density.size(), 0.25);
-  image->error = {random ? PndfError::Kind::estimated : PndfError::Kind::bounded, random ? 0.03 : 1e-7};
+  image->error = {random ? 0 : 1e-7, random ? 0.03 : 0};
   return image;
 }
 

@@ -129,26 +129,21 @@ Figure noise_figure(PndfMethod method, const MethodPicture* picture) {
   Figure figure{recorded("noise", method), "Own noise", "noise", std::nullopt, {}, {"Own noise", {}, {}}, false};
   if (picture == nullptr || !picture->image) return figure;
   const PndfError& error = picture->image->error;
-  switch (error.kind) {
-    case PndfError::Kind::estimated:
-      figure.value = percent_text(error.relative_l1);
-      figure.value->value.insert(0, "± ");
-      figure.help.text =
-          "The relative L1 error that this picture's own randomness makes: an error below it says nothing.";
-      break;
-    case PndfError::Kind::bounded:
-      figure.value = Quantity{"none", {}};
-      figure.brief_value = "no noise";
-      figure.help.text =
-          fmt::format("Nothing in this method is random. What its cut leaves out is at most {} (relative L1).",
-                      text_of(percent_text(error.relative_l1)));
-      break;
-    case PndfError::Kind::none:
-      figure.value = Quantity{"none", {}};
-      figure.brief_value = "no noise";
-      figure.help.text = "Nothing in this method is random.";
-      break;
+  if (!picture->image->standard_error.empty()) {
+    if (!error.estimated) return figure;
+    figure.value = percent_text(*error.estimated);
+    figure.value->value.insert(0, "± ");
+    figure.help.text =
+        "The relative L1 error that this picture's own randomness makes: an error below it says nothing.";
+    return figure;
   }
+  figure.value = Quantity{"none", {}};
+  figure.brief_value = "no noise";
+  figure.help.text = fmt::format(
+      "Nothing in this method is random. What it cuts, merges and replaces is at most {} "
+      "(relative L1).",
+      text_of(percent_text(error.bounded)));
+  if (!error.estimated) figure.help.text += " How far its elements are off the surface, it does not know.";
   return figure;
 }
 

@@ -54,7 +54,7 @@ TEST_P(BinnedOnRealMap, DiffersFromExactByNoMoreThanItsNoise) {
     const double noise = noise_alone(means, grid.cell_area(), static_cast<double>(samples));
     EXPECT_LE(error, 1.25 * noise) << samples;
     EXPECT_GE(error, 0.75 * noise) << samples;  // independent draws cannot be much better either
-    EXPECT_NEAR(image.error.relative_l1 / error, 1, 0.1) << samples;
+    EXPECT_NEAR(*image.error.estimated / error, 1, 0.1) << samples;
     RecordProperty("error over noise, " + std::to_string(samples), std::to_string(error / noise));
   }
 }

@@ -422,8 +422,8 @@ TEST(ExactPndf, SaysWhatItIs) {
   EXPECT_EQ(model.info().surface, Interpolation::smooth);
   EXPECT_EQ(model.info().bytes, 6 * sizeof(NormalBox));  // 3 x 2 tiles of 16 x 16 cells
   PndfWorkspace workspace;
-  EXPECT_EQ(model.at({}, workspace).error().kind, PndfError::Kind::bounded);
-  EXPECT_LE(model.at({}, workspace).error().relative_l1, 1e-9);
+  EXPECT_EQ(model.at({}, workspace).error().estimated, 0);
+  EXPECT_LE(model.at({}, workspace).error().bounded, 1e-9);
 }
 
 TEST(EvaluateAll, GivesTheSameBytesForAnyNumberOfThreadsAndNothingOnceCancelled) {
