@@ -1,7 +1,6 @@
 #include "gui/jobs/pndf_jobs.h"
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 #include <fmt/format.h>
@@ -26,12 +25,6 @@ std::string recipe_on(Document document, Interpolation interpolation) {
   document.surface = {};
   document.surface.interpolation = interpolation;
   return recipe_of(document);
-}
-
-std::string method_title(PndfMethod method) {
-  std::string title(choice_name(method));
-  title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
-  return title;
 }
 
 // Whether a coarse picture has fewer cells than the full one.
@@ -142,7 +135,7 @@ void PndfJobs::compute_full_pictures(const Run& run) {
 void PndfJobs::compute_picture(const Run& run, std::size_t index, bool coarse) {
   const PndfMethod method = run.document.methods[index];
   const Surface& surface = run.surface->loaded.surface;
-  JobControl& control = run.steps.begin(method_title(method), method);
+  JobControl& control = run.steps.begin(std::string(method_title(method)), method);
   const std::unique_ptr<PndfModel> model =
       coarse ? make_coarse_model(run.document, method, surface) : make_document_model(run.document, method, surface);
   const PndfGrid grid = coarse ? coarse_grid(run.grid) : run.grid;
