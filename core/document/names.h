@@ -26,6 +26,7 @@ template <>
 struct ChoiceNames<PndfMethod> {
   static constexpr std::array k_table{std::pair{PndfMethod::exact, std::string_view("exact")},
                                       std::pair{PndfMethod::mixture, std::string_view("mixture")},
+                                      std::pair{PndfMethod::lean, std::string_view("lean")},
                                       std::pair{PndfMethod::binning, std::string_view("binning")}};
 };
 
@@ -113,6 +114,21 @@ std::string_view choice_name(Choice value) {
   }
   assert(false && "a choice without a name");
   return {};
+}
+
+/// The name of a method as a title: acronyms in capitals.
+inline std::string_view method_title(PndfMethod method) {
+  switch (method) {
+    case PndfMethod::mixture:
+      return "Mixture";
+    case PndfMethod::lean:
+      return "LEAN";
+    case PndfMethod::binning:
+      return "Binning";
+    case PndfMethod::exact:
+      break;
+  }
+  return "Exact";
 }
 
 /// The value of that name, if there is one.

@@ -72,17 +72,18 @@ constexpr std::array k_parameters{
               .source = k_yan14_pndf,
               .access = at<[](auto& d) -> auto& { return d.intrinsic_roughness; }>(),
               .matters = always},
-    Parameter{.path = "methods",
-              .label = "methods",
-              .short_label = "Methods",
-              .kind = ParameterKind::choices,
-              .choices = k_choice_names<PndfMethod>,
-              .help = "The methods that compute the P-NDF, in the order in which they are shown.",
-              .source =
-                  "Yan et al. 2014, sections 4 to 6 (exact), 2016, section 4 (mixture), and both papers' reference "
-                  "(binning)",
-              .access = at<[](auto& d) -> auto& { return d.methods; }>(),
-              .matters = always},
+    Parameter{
+        .path = "methods",
+        .label = "methods",
+        .short_label = "Methods",
+        .kind = ParameterKind::choices,
+        .choices = k_choice_names<PndfMethod>,
+        .help = "The methods that compute the P-NDF, in the order in which they are shown.",
+        .source =
+            "Yan et al. 2014, sections 4 to 6 (exact), 2016, section 4 (mixture), Olano and Baker 2010 (lean), and "
+            "both papers of Yan et al., reference (binning)",
+        .access = at<[](auto& d) -> auto& { return d.methods; }>(),
+        .matters = always},
     Parameter{.path = "exact.vertex_shift",
               .label = "vertex shift",
               .short_label = "Vertex shift",

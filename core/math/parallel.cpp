@@ -95,6 +95,10 @@ bool parallel_blocks(std::size_t block_count, JobControl& control, const std::fu
   return !control.cancelled();
 }
 
+void run_isolated(const std::function<void()>& body) {
+  tbb::this_task_arena::isolate([&] { body(); });
+}
+
 int thread_count() {
   return static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 }

@@ -33,6 +33,10 @@ class JobControl {
 /// Returns false if the job was cancelled. The body must not throw.
 bool parallel_blocks(std::size_t block_count, JobControl& control, const std::function<void(std::size_t)>& body);
 
+/// Runs `body`; while loops inside it wait for their last blocks, this thread takes none of the loops around it. For
+/// what is done under a lock or once: a block taken up meanwhile may wait for the same.
+void run_isolated(const std::function<void()>& body);
+
 /// The number of threads parallel_blocks may use now.
 int thread_count();
 

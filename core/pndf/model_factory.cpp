@@ -12,6 +12,8 @@ std::unique_ptr<PndfModel> make_model(PndfMethod method, const Surface& surface,
       return std::make_unique<ExactPndf>(surface, intrinsic_roughness, settings.exact);
     case PndfMethod::mixture:
       return std::make_unique<MixturePndf>(surface, intrinsic_roughness, settings.mixture, settings.atlas);
+    case PndfMethod::lean:
+      return std::make_unique<LeanPndf>(surface, intrinsic_roughness);
     case PndfMethod::binning:
       return std::make_unique<BinnedPndf>(surface, intrinsic_roughness, settings.binned);
   }

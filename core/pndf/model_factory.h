@@ -6,12 +6,13 @@
 #include "core/pndf/binned_pndf.h"
 #include "core/pndf/exact_pndf.h"
 #include "core/pndf/fast_exact_pndf.h"
+#include "core/pndf/lean_pndf.h"
 #include "core/pndf/mixture_pndf.h"
 #include "core/pndf/pndf_model.h"
 
 namespace glint {
 
-enum class PndfMethod { exact, mixture, binning };
+enum class PndfMethod { exact, mixture, lean, binning };
 
 /// What exact evaluation computes in: FastExactPndf or ExactPndf.
 enum class ExactPrecision { single_precision, double_precision };

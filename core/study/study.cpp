@@ -72,7 +72,6 @@ std::optional<StudyResult> time_method(const Document& document, PndfMethod meth
   const std::unique_ptr<PndfModel> model = make_document_model(document, method, surface);
   result.build_ms = milliseconds_since(build);
   result.surface = model->info().surface;
-  result.bytes = surface.map().bytes() + model->info().bytes;
 
   std::vector<double> times;
   for (int run = 0; run <= settings.repeats; ++run) {
@@ -95,6 +94,7 @@ std::optional<StudyResult> time_method(const Document& document, PndfMethod meth
   result.query_count = lobe.count;
   result.query_uniform_us = window.mean_us;
   result.query_uniform_count = window.count;
+  result.bytes = surface.map().bytes() + model->info().bytes;  // with what was built when it was first asked for
   result.own_noise = image.standard_error.empty() ? 0 : image.error.estimated.value_or(0);
   return result;
 }

@@ -32,6 +32,8 @@ Json settings_json(const Document& document, const StudyResult& result) {
               {"kappa", document.mixture.kappa.value_or(automatic_kappa(document.mixture.step))},
               {"elements", choice_name(document.mixture.elements)},
               {"storage", "float"}};
+    case PndfMethod::lean:
+      return Json::object();
     case PndfMethod::exact:
       break;
   }

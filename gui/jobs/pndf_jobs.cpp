@@ -1,7 +1,6 @@
 #include "gui/jobs/pndf_jobs.h"
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 #include <fmt/format.h>
@@ -26,12 +25,6 @@ std::string recipe_on(Document document, Interpolation interpolation) {
   document.surface = {};
   document.surface.interpolation = interpolation;
   return recipe_of(document);
-}
-
-std::string method_title(PndfMethod method) {
-  std::string title(choice_name(method));
-  title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
-  return title;
 }
 
 // Whether a coarse picture has fewer cells than the full one.
@@ -160,7 +153,7 @@ void PndfJobs::prepare_atlas(const Run& run) {
 void PndfJobs::compute_picture(const Run& run, std::size_t index, bool coarse) {
   const PndfMethod method = run.document.methods[index];
   const Surface& surface = run.surface->loaded.surface;
-  JobControl& control = run.steps.begin(method_title(method), method);
+  JobControl& control = run.steps.begin(std::string(method_title(method)), method);
   std::shared_ptr<const MixtureAtlas> atlas;
   if (const auto settings = mixture_of(run.document, board_.picture(index)); settings) {
     atlas = atlas_.for_picture(run.document, *settings, surface, run.grid, control);

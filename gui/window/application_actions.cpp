@@ -321,7 +321,8 @@ class Registrar {
     };
     method("compute.exact", "Exact", Key::digit_1, PndfMethod::exact);
     method("compute.mixture", "Mixture", Key::digit_2, PndfMethod::mixture);
-    method("compute.binning", "Binning", Key::digit_3, PndfMethod::binning);
+    method("compute.lean", "LEAN", Key::digit_3, PndfMethod::lean);
+    method("compute.binning", "Binning", Key::digit_4, PndfMethod::binning);
     const auto surface = [&](const char* name, const char* title, Key key, std::optional<Interpolation> which) {
       Action* s =
           &add("Compute", name, title, shift(key), "Chooses the surface between the map's samples.",

@@ -75,7 +75,7 @@ TEST(CommandLine, WordsThatAreOffEndWithStatusTwoAndOneSentence) {
       {{"pndf", "--preset", "flat-oracle", "--pixel", "1,2", "--radius", "-3"}, "--radius"},
       {{"pndf", "--preset", "flat-oracle", "--pixel", "1,2", "--radius", "1e6"}, "at most 100000"},
       {{"pndf", "--preset", "flat-oracle", "--radius", "2"}, "--pixel"},
-      {{"pndf", "--preset", "flat-oracle", "--method", "magic"}, "\"exact\", \"mixture\", \"binning\""},
+      {{"pndf", "--preset", "flat-oracle", "--method", "magic"}, "\"exact\", \"mixture\", \"lean\", \"binning\""},
       {{"pndf", "--preset", "flat-oracle", "--method", "exact,exact"}, "twice"},
       {{"pndf", "--preset", "flat-oracle", "--size", "0"}, "--size"},
       {{"pndf", "--preset", "flat-oracle", "--size", "16385"}, "16384"},

@@ -22,18 +22,6 @@ bool is_on(const Document& document, PndfMethod method) {
   return std::find(document.methods.begin(), document.methods.end(), method) != document.methods.end();
 }
 
-std::string_view title(PndfMethod method) {
-  switch (method) {
-    case PndfMethod::mixture:
-      return "Mixture";
-    case PndfMethod::binning:
-      return "Binning";
-    case PndfMethod::exact:
-      break;
-  }
-  return "Exact";
-}
-
 // Box, mark and name; returns the room to their right.
 Rectangle method_name(FieldPage& page, const Rectangle& row, PndfMethod method) {
   Ui& ui = page.ui;
@@ -43,7 +31,7 @@ Rectangle method_name(FieldPage& page, const Rectangle& row, PndfMethod method) 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_mark(list, method, {row.min.x + ui.px(27), row.center().y}, ui.px(4));
   draw_text(list, ui.fonts.text, {row.min.x + ui.px(38), row.center().y - 0.5F * ui.fonts.text->FontSize},
-            is_on(page.document, method) ? color::k_text : color::k_disabled, title(method));
+            is_on(page.document, method) ? color::k_text : color::k_disabled, method_title(method));
   return {{controls, row.min.y}, row.max};
 }
 
@@ -98,6 +86,10 @@ void mixture_rows(FieldPage& page) {
   field_row(page, field("mixture.kappa"), {.reason = reason});
 }
 
+void lean_row(FieldPage& page) {  // which has no settings of its own
+  method_name(page, take_row(page), PndfMethod::lean);
+}
+
 void binning_rows(FieldPage& page) {
   const std::string reason = is_on(page.document, PndfMethod::binning) ? "" : "The binning method is off.";
   const Rectangle row = take_row(page);
@@ -117,6 +109,7 @@ void method_rows(FieldPage& page, const Rectangle& header, const NormalMap* map)
   reset_control(page, field("methods"), header);
   exact_rows(page, interpolation_on(page.document, map));
   mixture_rows(page);
+  lean_row(page);
   binning_rows(page);
 }
 

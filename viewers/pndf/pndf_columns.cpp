@@ -153,16 +153,10 @@ std::string method_name(PndfMethod method) {
   return std::string(choice_name(method));
 }
 
-std::string method_title(PndfMethod method) {
-  std::string title = method_name(method);
-  if (title.front() >= 'a' && title.front() <= 'z') title.front() = static_cast<char>(title.front() - 'a' + 'A');
-  return title;
-}
-
 bool draw_method_column(Ui& ui, const PndfLayout& layout, const Rectangle& square, const PndfScene& scene,
                         const MethodColumn& column) {
   const std::string key = method_name(column.method);
-  const std::string title = method_title(column.method);
+  const std::string title(method_title(column.method));
   draw_title(ui, {square.min.x, layout.title_top_of(square)}, square.max.x, &column.method, title, column.setting);
   const Rectangle title_area{{square.min.x, layout.title_top_of(square)},
                              {square.max.x, layout.title_top_of(square) + ui.fonts.title->FontSize}};

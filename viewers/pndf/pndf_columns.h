@@ -68,6 +68,5 @@ bool draw_empty_body(Ui& ui, const Rectangle& area, const std::string& sentence,
 
 /// "exact" and "Exact".
 std::string method_name(PndfMethod method);
-std::string method_title(PndfMethod method);
 
 }  // namespace glint::view

@@ -57,15 +57,14 @@ std::string surface_name(const PndfResults* results) {
 }
 
 std::string setting_text(const PndfInput& input, PndfMethod method, bool compact) {
-  if (method == PndfMethod::binning) {
-    return count_text(input.document.binning_samples) + (compact ? "" : " samples");
-  }
+  if (method == PndfMethod::binning) return count_text(input.document.binning_samples) + (compact ? "" : " samples");
   if (method == PndfMethod::mixture) {
     const MixtureSettings& mixture = input.document.mixture;
     const std::string step = "h " + short_number_text(mixture.step, 3);
     const bool plain = mixture.elements == MixtureElements::corrected || compact;
     return plain ? step : step + ", " + std::string(choice_name(mixture.elements));
   }
+  if (method == PndfMethod::lean) return compact ? "" : "one Gaussian over slopes";
   const std::string surface = surface_name(input.results.get());
   const bool in_double = input.document.exact_precision == ExactPrecision::double_precision;
   const std::string more = in_double && !compact ? ", double" : "";

@@ -140,6 +140,15 @@ void draw_mark(ImDrawList& list, PndfMethod method, ImVec2 center, float radius)
       list.AddCircleFilled(center, 0.9F * radius, ink, 16);
       list.AddCircle(center, 0.9F * radius, edge, 16);
       break;
+    case PndfMethod::lean: {
+      const ImVec2 top{center.x, center.y - radius};
+      const ImVec2 right{center.x + radius, center.y};
+      const ImVec2 bottom{center.x, center.y + radius};
+      const ImVec2 left{center.x - radius, center.y};
+      list.AddQuadFilled(top, right, bottom, left, ink);
+      list.AddQuad(top, right, bottom, left, edge);
+      break;
+    }
     case PndfMethod::binning: {
       const float half = 0.95F * radius;
       const std::array points{ImVec2(center.x, center.y - radius), ImVec2(center.x + half, center.y + 0.72F * radius),

@@ -89,6 +89,8 @@ ImU32 method_color(PndfMethod method) {
       return rgb(0xF2F2F2);
     case PndfMethod::mixture:
       return rgb(0x4093FF);
+    case PndfMethod::lean:
+      return rgb(0xCC70B2);
     case PndfMethod::binning:
       return rgb(0x269960);
   }

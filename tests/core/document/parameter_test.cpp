@@ -163,7 +163,8 @@ TEST(Parameters, RefuseWhatIsOutOfRangeAndSayWhatIsAllowed) {
             "seed: is 1.8446744073709552e+19; allowed: a whole number from 0 to 18446744073709551615");
   EXPECT_EQ(set_error("surface.wrap", "mirror"), "surface.wrap: is \"mirror\"; allowed: \"repeat\", \"clamp\"");
   EXPECT_EQ(set_error("methods", test::Texts{"exact", "exact"}),
-            "methods: is [\"exact\", \"exact\"]; allowed: a list of \"exact\", \"mixture\", \"binning\", at least one, "
+            "methods: is [\"exact\", \"exact\"]; allowed: a list of \"exact\", \"mixture\", \"lean\", \"binning\", at "
+            "least one, "
             "none twice");
   EXPECT_THAT(set_error("methods", test::Texts{}), StartsWith("methods: is []; allowed: "));
   EXPECT_THAT(set_error("methods", "exact"), StartsWith("methods: is \"exact\"; allowed: a list of "));
