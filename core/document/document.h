@@ -54,6 +54,7 @@ struct ViewSettings {
   std::optional<glm::dvec2> density_range;  ///< densities at the ends of the colour bar; none: fitted to the pictures
   std::optional<double> difference_range;   ///< |difference| at the ends of its colour bar; none: fitted
   MapColors map_colors = MapColors::normal;
+  bool elements = false;  ///< whether the map shows the mixture's elements
 
   friend bool operator==(const ViewSettings&, const ViewSettings&) = default;
 };

@@ -54,6 +54,16 @@ constexpr std::array k_parameters{
               .source = k_this_tool_window,
               .access = at<[](auto& d) -> auto& { return d.view.map_colors; }>(),
               .matters = never},
+    Parameter{.path = "view.elements",
+              .label = "elements on the map",
+              .short_label = "Map elements",
+              .kind = ParameterKind::flag,
+              .help =
+                  "Draws the mixture's elements over the map, coloured by their weight under the footprint or, while "
+                  "there is a crosshair, by what they add to the density at its normal.",
+              .source = k_this_tool_window,
+              .access = at<[](auto& d) -> auto& { return d.view.elements; }>(),
+              .matters = never},
 };
 
 }  // namespace

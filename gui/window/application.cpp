@@ -247,7 +247,7 @@ Application::Pace Application::pace() const {
   const view::UiState& state = screen_->state();
   const bool script = script_progress_ && script_progress_->state == ScriptProgress::State::running;
   const bool tooltip_due = !state.hovered.empty() && seconds_ - state.hovered_since < 0.7;
-  if (input_left_ || script || panels_.map().incomplete() || !state.dragging.empty() || !state.editing.empty() ||
+  if (input_left_ || script || panels_.incomplete(document()) || !state.dragging.empty() || !state.editing.empty() ||
       !exports_.empty() || tooltip_due) {
     return Pace::at_once;
   }

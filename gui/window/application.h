@@ -85,7 +85,7 @@ class Application final : public ScriptTarget {
   [[nodiscard]] Overlays& overlays() { return overlays_; }
   [[nodiscard]] bool& flip_switch() { return flip_switch_; }
   /// Keeps what the registry's callbacks stand on for as long as the registry lives.
-  void keep(std::shared_ptr<void> registrar) { registrar_ = std::move(registrar); }
+  void keep(std::shared_ptr<void> registrar) { registrars_.push_back(std::move(registrar)); }
 
   // ScriptTarget
   Status open(const std::filesystem::path& path) override;
@@ -116,7 +116,7 @@ class Application final : public ScriptTarget {
 
   ApplicationSetup setup_;
   Workbench workbench_;
-  std::shared_ptr<void> registrar_;
+  std::vector<std::shared_ptr<void>> registrars_;
   Actions actions_;
   InputQueue input_;
   Panels panels_;

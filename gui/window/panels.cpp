@@ -38,6 +38,12 @@ PanelWishes Panels::draw(view::Ui& ui, const Layout& layout, Workbench& workbenc
   return wishes;
 }
 
+bool Panels::incomplete(const Document& document) const {
+  const auto& reading = pndf_.reading();
+  const std::optional<glm::dvec2> crosshair = reading ? std::optional(reading->s) : std::nullopt;
+  return map_.incomplete() || (document.view.elements && crosshair != crosshair_on_map_);
+}
+
 std::optional<Panel> Panels::panel_of(std::size_t widget_index) const {
   for (std::size_t k = 0; k < ranges_.size(); ++k) {
     if (widget_index >= ranges_[k].first && widget_index < ranges_[k].second) return static_cast<Panel>(k);
@@ -54,6 +60,8 @@ void Panels::draw_map(view::Ui& ui, const Layout& layout, Workbench& workbench, 
   input.progress = status.progress;
   input.focused = focused_ == Panel::map;
   input.maximised = workbench.settings().maximised_panel == panel_name(Panel::map);
+  if (const auto& reading = pndf_.reading()) input.crosshair = reading->s;
+  crosshair_on_map_ = input.crosshair;
   view::NormalMapEvents events = map_.draw(ui, area_of(layout, Panel::map), input);
   take_common(events, Panel::map, wishes, focused_);
   if (events.open_pressed) wishes.open = true;

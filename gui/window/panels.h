@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include <glm/vec2.hpp>
+
 #include "gui/memory/workbench.h"
 #include "gui/window/layout.h"
 #include "viewers/inspector/inspector.h"
@@ -38,6 +40,9 @@ class Panels {
   [[nodiscard]] const view::PndfView& pndf() const { return pndf_; }
   [[nodiscard]] view::Inspector& inspector() { return inspector_; }
 
+  /// Whether another frame will show more, or a crosshair that has moved since the map was drawn.
+  [[nodiscard]] bool incomplete(const Document& document) const;
+
   [[nodiscard]] Panel focused() const { return focused_; }
   void focus(Panel panel) { focused_ = panel; }
   /// The panel in which the widget that was drawn as the n-th of the last frame stands; none for bars and dialogs.
@@ -54,6 +59,7 @@ class Panels {
   view::PndfView pndf_;
   view::Inspector inspector_;
   Panel focused_ = Panel::pndf;
+  std::optional<glm::dvec2> crosshair_on_map_;                               // in the last frame
   std::array<std::pair<std::size_t, std::size_t>, k_panel_count> ranges_{};  // of widgets in the record
 };
 

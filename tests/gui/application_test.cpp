@@ -91,6 +91,27 @@ TEST(Application, ADragOfAHandleIsOneStepOfUndo) {
   EXPECT_FALSE(stage.document() == before);
 }
 
+TEST(Application, ElementsOnTheMapAreOneStepOfUndoAndFollowTheCrosshair) {
+  const ApplicationStage stage;
+  stage.open_small();
+  const gui::Action* action = stage.app().actions().find("view.elements");
+  ASSERT_NE(action, nullptr);
+  EXPECT_EQ(action->disabled_because(), "The mixture is not among the methods");
+  stage.play("key E\nwait 2");
+  EXPECT_FALSE(stage.document().view.elements);
+  stage.play("set methods exact,mixture\nkey E\naction view.footprint\nwait jobs");
+  EXPECT_TRUE(stage.document().view.elements);
+  EXPECT_TRUE(action->is_checked());
+  ASSERT_NE(stage.widget("map.elements"), nullptr);
+  const float of_weight = stage.widget("map.elements")->area.width();
+  stage.play("click pndf.picture.exact\nwait 3");
+  EXPECT_NE(stage.widget("map.elements")->area.width(), of_weight);  // its legend speaks of the density
+  stage.play("set view.elements false\nkey Ctrl+Z");
+  EXPECT_TRUE(stage.document().view.elements);
+  stage.play("key Ctrl+Z");
+  EXPECT_FALSE(stage.document().view.elements);
+}
+
 TEST(Application, ASliderDragIsOneStepOfUndo) {
   const ApplicationStage stage;
   stage.open_small();

@@ -74,6 +74,15 @@ TEST(GoldenStates, TexelsAndNormals) {
   expect_golden("texels-1600x1000", stage.picture());
 }
 
+TEST(GoldenStates, Elements) {
+  const ApplicationStage stage;
+  stage.open_small();
+  stage.play("set methods exact,mixture\nkey E\naction view.footprint\nwait jobs\nclick pndf.picture.exact\nwait 3");
+  stage.app().input().push(gui::MouseMove{{-1, -1}});
+  stage.settle();
+  expect_golden("elements-1280x720", stage.picture());
+}
+
 TEST(GoldenStates, Empty) {
   const ApplicationStage stage;
   stage.app().workbench().jobs().cancel();

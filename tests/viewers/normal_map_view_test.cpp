@@ -39,7 +39,7 @@ struct MapPanel {
     stage.frame([&](Ui& ui) {
       ui.blocked = blocked;
       const Rectangle area{{0, 0}, {static_cast<float>(stage.size().x), static_cast<float>(stage.size().y)}};
-      const NormalMapEvents events = view.draw(ui, area, {document, surface, {}, false, 0, false, false});
+      const NormalMapEvents events = view.draw(ui, area, {document, surface, {}, false, 0, false, false, crosshair});
       if (!events.edit) return;
       edits.push_back(*events.edit);
       document = events.edit->document;
@@ -68,7 +68,32 @@ struct MapPanel {
   Document document;
   std::shared_ptr<const SurfaceInUse> surface;
   bool blocked = false;
+  std::optional<glm::dvec2> crosshair;
   std::vector<Edit> edits;
+};
+
+// The panel with the mixture's elements on it, four a texel and 12 pixels apart.
+struct ElementPanel : MapPanel {
+  ElementPanel() {
+    document.methods = {PndfMethod::exact, PndfMethod::mixture};
+    document.view.elements = true;
+    document.intrinsic_roughness = 0.005;
+    document.footprint = {{100.5, 80.5}, {9, 0, 9}};
+    frame();
+    view.zoom_by(24 / view.zoom());
+    frame();
+  }
+  // Red, green and blue in the middle of the element of the seed (k, l).
+  glm::ivec3 color_of(int k, int l) {
+    const ImVec2 at = screen({0.5 * (k + 0.5), 0.5 * (l + 0.5)});
+    const std::vector<std::uint8_t> pixels = stage.pixels();
+    const auto index = 3 * static_cast<std::size_t>(std::floor(at.y) * static_cast<float>(stage.size().x) + at.x);
+    return {pixels[index], pixels[index + 1], pixels[index + 2]};
+  }
+  std::string said() const {
+    const WidgetRecord::Entry* legend = stage.widgets().find("map.elements");
+    return legend == nullptr ? "nothing" : legend->reason;
+  }
 };
 
 TEST(NormalMapView, BeginsWithTheFootprintInItsMiddle) {
@@ -214,6 +239,51 @@ TEST(NormalMapView, ChangesItsColoursThroughTheDocument) {
   panel.click(panel.place("view.map_colors.slope"));
   ASSERT_EQ(panel.edits.size(), 1U);
   EXPECT_EQ(panel.document.view.map_colors, MapColors::slope);
+}
+
+bool is_yellow(glm::ivec3 c) {  // the end of viridis
+  return c.x > 180 && c.y > 180 && c.z < 110;
+}
+
+TEST(NormalMapView, ShowsTheElementsUnderTheFootprintWhereAskedTo) {
+  ElementPanel panel;
+  EXPECT_EQ(panel.said(), "");
+  EXPECT_TRUE(is_yellow(panel.color_of(202, 159)));   // half a texel from the centre
+  EXPECT_FALSE(is_yellow(panel.color_of(208, 164)));  // 3.6 texels from it: a share of a half
+  const glm::ivec3 far = panel.color_of(211, 158);
+  panel.document.view.elements = false;
+  panel.frame();
+  EXPECT_EQ(panel.said(), "nothing");
+  EXPECT_FALSE(is_yellow(panel.color_of(202, 159)));
+  EXPECT_NE(panel.color_of(211, 158), far);
+  panel.document.view.elements = true;
+  panel.document.methods = {PndfMethod::exact};
+  panel.frame();
+  EXPECT_EQ(panel.said(), "nothing");
+  EXPECT_FALSE(is_yellow(panel.color_of(202, 159)));
+}
+
+TEST(NormalMapView, ColoursTheElementsByWhatTheyAddAtTheCrosshair) {
+  ElementPanel panel;
+  // The map is a plane: its normal is that of one place, here the seed (206, 162), and turns by 0.4 sigma_r a texel
+  // along u and 0.2 along v.
+  panel.crosshair = panel.surface->loaded.surface.normal({103.25, 81.25});
+  panel.frame();
+  EXPECT_EQ(panel.said(), "");
+  EXPECT_TRUE(is_yellow(panel.color_of(204, 162)));
+  EXPECT_FALSE(is_yellow(panel.color_of(196, 159)));  // as near to the centre, on its other side
+  panel.crosshair = glm::dvec2(-0.9, 0);
+  panel.frame();
+  EXPECT_EQ(panel.said(), "no element reaches the crosshair");
+  EXPECT_FALSE(is_yellow(panel.color_of(204, 162)));
+}
+
+TEST(NormalMapView, SaysWhenToZoomInToSeeTheElements) {
+  ElementPanel panel;
+  panel.view.zoom_by(5.0 / panel.view.zoom());
+  panel.frame();
+  EXPECT_EQ(panel.said(), "zoom in to see the elements");
+  EXPECT_FALSE(is_yellow(panel.color_of(202, 159)));
 }
 
 TEST(NormalMapView, WithoutAMapOffersToOpenOne) {

@@ -13,6 +13,7 @@
 #include "viewers/inspector/method_rows.h"
 #include "viewers/inspector/read_report_rows.h"
 #include "viewers/inspector/reading_rows.h"
+#include "viewers/map/map_elements.h"
 #include "viewers/widgets/draw.h"
 #include "viewers/widgets/number_text.h"
 #include "viewers/widgets/theme.h"
@@ -171,6 +172,7 @@ void draw_pictures(const SectionScene& scene) {
   field_row(page, field("view.density_range"), densities);
   field_row(page, field("view.difference_range"), difference);
   field_row(page, field("view.map_colors"));
+  field_row(page, field("view.elements"), {.reason = sentence_text(reason_without_elements(page.document))});
 }
 
 std::string pictures_summary(const InspectorInput& input, bool open) {
@@ -207,7 +209,7 @@ constexpr std::array k_sections{
     InspectorSection{"section.methods", [](const Document&) { return std::string_view("Methods"); }, methods_summary,
                      rows_height<4>, draw_methods},
     InspectorSection{"section.picture", [](const Document&) { return std::string_view("Pictures"); }, pictures_summary,
-                     rows_height<9>, draw_pictures},
+                     rows_height<10>, draw_pictures},
     InspectorSection{"section.cursor", [](const Document&) { return std::string_view("Under the cursor"); },
                      cursor_summary, cursor_height, draw_cursor},
 };

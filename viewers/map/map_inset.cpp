@@ -3,34 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <string_view>
 
-#include "core/image/color_map.h"
 #include "viewers/map/map_colors.h"
 #include "viewers/map/map_gesture.h"
 #include "viewers/widgets/draw.h"
 #include "viewers/widgets/theme.h"
 
 namespace glint::view {
-namespace {
-
-ImU32 packed(DisplayColor color) {
-  return IM_COL32(color.x, color.y, color.z, 255);
-}
-
-Texture viridis_bar(const GlFunctions& gl) {
-  std::array<std::uint8_t, 1024> texels{};
-  const std::array<DisplayColor, 256> table = viridis_table();
-  for (std::size_t k = 0; k < table.size(); ++k) {
-    for (int c = 0; c < 3; ++c) texels[4 * k + static_cast<std::size_t>(c)] = table[k][c];
-    texels[4 * k + 3] = 255;
-  }
-  return {gl, Texture::Format::rgba8, {256, 1}, texels.data()};
-}
-
-}  // namespace
-
 std::optional<Rectangle> MapInset::area(const Ui& ui, const MapCamera& camera, const NormalMap& map, float side) {
   const TexelRange range = visible_texels(camera);
   const bool all_in_view =
@@ -82,45 +62,12 @@ void MapInset::draw(Ui& ui, ImDrawList& list, const Rectangle& area, const MapCa
 
 std::optional<Rectangle> MapInset::draw_legend(Ui& ui, ImDrawList& list, ImVec2 at, float width, MapColors colors) {
   if (colors == MapColors::normal) return std::nullopt;
-  if (bar_.empty()) bar_ = viridis_bar(ui.gl);
+  static constexpr std::array<std::string_view, 1> k_slope{"slope"};
+  static constexpr std::array<std::string_view, 1> k_curvature{"curvature"};
   const bool is_slope = colors == MapColors::slope;
-  const std::string_view low = is_slope ? "0" : "10⁻⁴";
-  const std::string_view high = is_slope ? "1" : "1 /texel";
-  const std::string_view name = is_slope ? "slope" : "curvature";
-  const ImFont* font = ui.fonts.small;
-  const float gap = ui.px(5);
-  const float triangle = ui.px(6);
-  const float words = text_size(font, low).x + text_size(font, high).x + 4 * gap + 2 * triangle;
-  const float named = text_size(font, name).x + gap;
-  const float wanted = ui.px(64);
-  const bool has_name = words + named + ui.px(30) <= width;
-  const float bar = std::floor(std::clamp(width - words - (has_name ? named : 0), ui.px(20), wanted));
-  const Rectangle area{at, {at.x + std::ceil(words + bar + (has_name ? named : 0)), at.y + ui.px(18)}};
-  list.AddRectFilled(area.min, area.max, color::k_chip, ui.px(3));
-  const float top = at.y + 0.5F * (ui.px(18) - font->FontSize);
-  float x = at.x + gap;
-  const auto word = [&](std::string_view text, ImU32 ink) {
-    draw_text(list, font, {x, top}, ink, text);
-    x += text_size(font, text).x + gap;
-  };
-  if (has_name) word(name, color::k_text_2);
-  word(low, color::k_text);
-  x = std::floor(x);
-  const float y0 = at.y + ui.px(5);
-  const float y1 = at.y + ui.px(13);
-  const float middle = 0.5F * (y0 + y1);
-  const ImU32 under = packed(k_underflow_color);
-  if (!is_slope) {
-    list.AddTriangleFilled({x, middle}, {x + triangle, y0}, {x + triangle, y1}, under);
-    list.AddTriangle({x, middle}, {x + triangle, y0}, {x + triangle, y1}, color::k_border_strong);
-  }
-  x += triangle;
-  list.AddImage(ui.pictures.add(bar_, {}), {x, y0}, {x + bar, y1});
-  x += bar;
-  list.AddTriangleFilled({x, y0}, {x + triangle, middle}, {x, y1}, packed(k_overflow_color));
-  x += triangle + gap;
-  word(high, color::k_text);
-  return area;
+  return legend_.draw(
+      ui, list, at, width,
+      is_slope ? LegendText{k_slope, "0", "1", false, true} : LegendText{k_curvature, "10⁻⁴", "1 /texel", true, true});
 }
 
 }  // namespace glint::view

@@ -9,6 +9,7 @@
 #include "core/document/document.h"
 #include "core/surface/normal_pyramid.h"
 #include "viewers/gl/texture.h"
+#include "viewers/map/bar_legend.h"
 #include "viewers/map/map_camera.h"
 #include "viewers/widgets/ui.h"
 
@@ -32,7 +33,7 @@ class MapInset {
   std::shared_ptr<const NormalPyramid> of_;
   MapColors colors_ = MapColors::normal;
   int side_ = 0;
-  Texture bar_;
+  BarLegend legend_;
 };
 
 }  // namespace glint::view

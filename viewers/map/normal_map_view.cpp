@@ -5,8 +5,10 @@
 #include <cmath>
 #include <vector>
 
+#include "viewers/map/element_overlay.h"
 #include "viewers/map/footprint_overlay.h"
 #include "viewers/map/map_controls.h"
+#include "viewers/map/map_elements.h"
 #include "viewers/map/map_gesture.h"
 #include "viewers/map/map_inset.h"
 #include "viewers/map/map_picture.h"
@@ -73,6 +75,8 @@ Footprint shown_footprint(Footprint footprint, const NormalMap& map) {
 struct NormalMapView::State {
   std::optional<MapTiles> tiles;
   MapInset inset;
+  MapElements elements;
+  ElementOverlay element_overlay;
   MapGesture gesture;
   MapCamera camera;
   ZoomRange zooms{1, 1};
@@ -89,8 +93,10 @@ struct NormalMapView::State {
   [[nodiscard]] FootprintPicture footprint_picture(const NormalMap& map, const Footprint& footprint) const;
   std::optional<FootprintEdit> navigate(Ui& ui, const NormalMapInput& input, const MapScene& scene);
   void read(const NormalMapInput& input, const MapScene& scene, const MapMouse& mouse);
+  const ShownElements* shown_elements(const Ui& ui, const NormalMapInput& input, const MapScene& scene);
   void draw_picture(Ui& ui, const NormalMapInput& input, const MapScene& scene);
-  void draw_chips(Ui& ui, const NormalMapInput& input, const MapScene& scene, std::vector<Rectangle>& taken);
+  void draw_chips(Ui& ui, const NormalMapInput& input, const MapScene& scene, const ShownElements* shown,
+                  std::vector<Rectangle>& taken);
 };
 
 NormalMapView::NormalMapView() : state_(std::make_unique<State>()) {}
@@ -186,6 +192,21 @@ void NormalMapView::State::read(const NormalMapInput& input, const MapScene& sce
   if (reading) hovered = u;
 }
 
+// Null while they are not to be shown.
+const ShownElements* NormalMapView::State::shown_elements(const Ui& ui, const NormalMapInput& input,
+                                                          const MapScene& scene) {
+  const Document& document = input.document;
+  if (!document.view.elements || !reason_without_elements(document).empty()) return nullptr;
+  const TexelRange range = visible_texels(camera);
+  return &elements.at({input.surface,
+                       document.mixture,
+                       document.intrinsic_roughness,
+                       scene.footprint,
+                       input.crosshair,
+                       {range.min, range.max},
+                       camera.pixels_per_texel / static_cast<double>(ui.scale)});
+}
+
 void NormalMapView::State::draw_picture(Ui& ui, const NormalMapInput& input, const MapScene& scene) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Rectangle& picture = camera.picture;
@@ -199,6 +220,8 @@ void NormalMapView::State::draw_picture(Ui& ui, const NormalMapInput& input, con
   list.PushClipRect(picture.min, picture.max, true);
   draw_map(ui, list, camera, pyramid, *tiles);
   draw_texel_grid(ui, list, camera, map);
+  const ShownElements* shown = shown_elements(ui, input, scene);
+  if (shown != nullptr) element_overlay.draw(ui, list, camera, *shown);
   draw_normal_arrows(ui, list, camera, map);
   draw_map_border(ui, list, camera, map);
   if (hovered && hot.kind != MapTarget::Kind::handle) draw_texel_outline(ui, list, camera, *hovered);
@@ -206,7 +229,7 @@ void NormalMapView::State::draw_picture(Ui& ui, const NormalMapInput& input, con
   draw_footprint_rings(ui, list, footprint);
   std::vector<Rectangle> taken;
   if (scene.minimap) taken.push_back(*scene.minimap);
-  draw_chips(ui, input, scene, taken);
+  draw_chips(ui, input, scene, shown, taken);
   draw_scale_bar(ui, list, camera, taken);
   draw_rulers(ui, list, camera, map, taken);
   draw_footprint_handles(ui, list, footprint, taken);
@@ -218,7 +241,7 @@ void NormalMapView::State::draw_picture(Ui& ui, const NormalMapInput& input, con
 }
 
 void NormalMapView::State::draw_chips(Ui& ui, const NormalMapInput& input, const MapScene& scene,
-                                      std::vector<Rectangle>& taken) {
+                                      const ShownElements* shown, std::vector<Rectangle>& taken) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   ImVec2 at{camera.picture.min.x + ui.px(6), camera.picture.min.y + ui.px(6)};
   const float right = scene.minimap ? scene.minimap->min.x - ui.px(8) : camera.picture.max.x - ui.px(6);
@@ -234,7 +257,9 @@ void NormalMapView::State::draw_chips(Ui& ui, const NormalMapInput& input, const
   if (const auto legend = inset.draw_legend(ui, list, at, right - at.x, colors)) {
     ui.widgets.record("map.legend", {*legend, {}, false, false});
     taken.push_back(*legend);
+    at.y = legend->max.y + ui.px(4);
   }
+  if (shown != nullptr) element_overlay.draw_legend(ui, list, at, right - at.x, *shown, taken);
 }
 
 NormalMapEvents NormalMapView::draw(Ui& ui, const Rectangle& area, const NormalMapInput& input) {

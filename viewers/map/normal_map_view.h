@@ -23,6 +23,7 @@ struct NormalMapInput {
   double progress = 0;
   bool focused = false;
   bool maximised = false;
+  std::optional<glm::dvec2> crosshair = {};  ///< the normal under it in the P-NDF panel
 };
 
 struct NormalMapEvents {

@@ -53,6 +53,7 @@ inline const std::map<std::string, ParameterValue, std::less<>>& other_values() 
       {"view.density_range", Numbers{1e-30, 1234.5}},
       {"view.difference_range", 0.1},
       {"view.map_colors", "curvature"},
+      {"view.elements", true},
   };
   return values;
 }

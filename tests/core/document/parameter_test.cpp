@@ -45,7 +45,7 @@ TEST(Parameters, AreTheFieldsThatTheDesignNames) {
           "surface.generator.spread", "surface.generator.blur", "surface.generator.dent_rms_slope", "footprint.center",
           "footprint.covariance", "intrinsic_roughness", "methods", "exact.vertex_shift", "exact.precision",
           "mixture.step", "mixture.kappa", "mixture.elements", "binning.samples", "grid.size", "grid.window", "seed",
-          "view.density_scale", "view.density_range", "view.difference_range", "view.map_colors"));
+          "view.density_scale", "view.density_range", "view.difference_range", "view.map_colors", "view.elements"));
 }
 
 TEST(Parameters, HaveUniquePathsAndSayWhatTheyDoAndWhoDefinedThem) {
@@ -136,7 +136,8 @@ TEST(Parameters, ReachTheMembersTheyName) {
   EXPECT_EQ(document.grid.window, glm::dvec4(-1, -0.1, 0.30000000000000004, 1.5));
   EXPECT_EQ(document.seed, 9007199254740993U);
   EXPECT_TRUE(document.exact_vertex_shift);
-  EXPECT_EQ(document.view, (ViewSettings{ColorScale::linear, glm::dvec2(1e-30, 1234.5), 0.1, MapColors::curvature}));
+  EXPECT_EQ(document.view,
+            (ViewSettings{ColorScale::linear, glm::dvec2(1e-30, 1234.5), 0.1, MapColors::curvature, true}));
 }
 
 TEST(Parameters, TakeNoneWhereNoneIsAllowed) {

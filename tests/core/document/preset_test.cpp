@@ -151,13 +151,14 @@ TEST(Recipe, HoldsOnlyWhatDeterminesPixels) {
 
 TEST(Recipe, LeavesOutHowPicturesLookAndAPresetKeepsIt) {
   Document document;
-  document.view = {ColorScale::linear, glm::dvec2(0.5, 20), 3.5, MapColors::slope};
+  document.view = {ColorScale::linear, glm::dvec2(0.5, 20), 3.5, MapColors::slope, true};
   EXPECT_EQ(recipe_of(document), recipe_of(Document()));
   EXPECT_THAT(preset_text(document), HasSubstr(R"(  "view": {
     "density_scale": "linear",
     "density_range": [0.5, 20],
     "difference_range": 3.5,
-    "map_colors": "slope"
+    "map_colors": "slope",
+    "elements": true
   })"));
   EXPECT_TRUE(parsed(preset_text(document)) == document);
   EXPECT_THAT(preset_text(Document()), Not(HasSubstr("view")));
