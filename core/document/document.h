@@ -68,6 +68,7 @@ struct Document {
   bool exact_vertex_shift = false;  ///< see ExactSettings::vertex_shift
   ExactPrecision exact_precision = ExactPrecision::single_precision;
   MixtureSettings mixture;
+  AutoSettings automatic;
   std::uint64_t binning_samples = 1'000'000;
   GridDescription grid;
   std::uint64_t seed = 1;

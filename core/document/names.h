@@ -27,6 +27,7 @@ struct ChoiceNames<PndfMethod> {
   static constexpr std::array k_table{std::pair{PndfMethod::exact, std::string_view("exact")},
                                       std::pair{PndfMethod::mixture, std::string_view("mixture")},
                                       std::pair{PndfMethod::lean, std::string_view("lean")},
+                                      std::pair{PndfMethod::automatic, std::string_view("auto")},
                                       std::pair{PndfMethod::binning, std::string_view("binning")}};
 };
 
@@ -123,6 +124,8 @@ inline std::string_view method_title(PndfMethod method) {
       return "Mixture";
     case PndfMethod::lean:
       return "LEAN";
+    case PndfMethod::automatic:
+      return "Auto";
     case PndfMethod::binning:
       return "Binning";
     case PndfMethod::exact:

@@ -18,6 +18,9 @@ bool has_method(const Document& document, PndfMethod method) {
 bool of_binning(const Document& document) {
   return has_method(document, PndfMethod::binning);
 }
+bool of_auto(const Document& document) {
+  return has_method(document, PndfMethod::automatic);
+}
 bool of_mixture(const Document& document) {
   return has_method(document, PndfMethod::mixture);
 }
@@ -81,7 +84,7 @@ constexpr std::array k_parameters{
         .help = "The methods that compute the P-NDF, in the order in which they are shown.",
         .source =
             "Yan et al. 2014, sections 4 to 6 (exact), 2016, section 4 (mixture), Olano and Baker 2010 (lean), and "
-            "both papers of Yan et al., reference (binning)",
+            "both papers of Yan et al., reference (binning); auto: this tool",
         .access = at<[](auto& d) -> auto& { return d.methods; }>(),
         .matters = always},
     Parameter{.path = "exact.vertex_shift",
@@ -136,6 +139,18 @@ constexpr std::array k_parameters{
               .source = "Yan et al. 2016, section 4; corrected: this tool",
               .access = at<[](auto& d) -> auto& { return d.mixture.elements; }>(),
               .matters = of_mixture},
+    Parameter{.path = "auto.tolerance",
+              .label = "tolerance of auto",
+              .short_label = "Tolerance",
+              .kind = ParameterKind::number,
+              .range = {k_least_tolerance, k_largest_tolerance},
+              .slider = {1e-3, 0.1, true},
+              .help =
+                  "The relative L1 error that auto may make: the cheapest of LEAN, mixtures and exact that meets it "
+                  "by its own estimate answers.",
+              .source = "this tool: auto",
+              .access = at<[](auto& d) -> auto& { return d.automatic.tolerance; }>(),
+              .matters = of_auto},
     Parameter{.path = "binning.samples",
               .label = "binning samples",
               .short_label = "Samples",

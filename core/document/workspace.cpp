@@ -28,6 +28,7 @@ ModelSettings settings_of(const Document& document) {
   settings.exact.vertex_shift = document.exact_vertex_shift;
   settings.precision = document.exact_precision;
   settings.mixture = document.mixture;
+  settings.automatic = document.automatic;
   settings.binned = {document.binning_samples, document.seed, document.grid.size};
   return settings;
 }
@@ -72,6 +73,10 @@ std::unique_ptr<PndfModel> make_coarse_model(const Document& document, PndfMetho
   settings.exact = {.subdivision = 1, .vertex_shift = false, .image_cut = k_coarse_cut};
   settings.precision = ExactPrecision::single_precision;
   settings.binned.samples = std::min(settings.binned.samples, k_coarse_samples);
+  if (method == PndfMethod::automatic) {
+    settings.mixture = mixture_of_step(1);
+    method = PndfMethod::mixture;
+  }
   return make_model(method, surface, document.intrinsic_roughness, settings);
 }
 

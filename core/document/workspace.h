@@ -39,7 +39,8 @@ std::unique_ptr<PndfModel> make_document_model(const Document& document, PndfMet
                                                std::shared_ptr<const MixtureAtlas> atlas = nullptr);
 
 /// A cheap model of the same method, for a first picture while the document's own is computed: exact with 2 triangles a
-/// texel on the smooth surface and a joint cut that loses 1e-3 of the mass, binning with at most 100 000 samples.
+/// texel on the smooth surface and a joint cut that loses 1e-3 of the mass, binning with at most 100 000 samples, the
+/// mixture of step 1 in place of auto.
 std::unique_ptr<PndfModel> make_coarse_model(const Document& document, PndfMethod method, const Surface& surface);
 
 /// The same window with at most `cells` cells a side.

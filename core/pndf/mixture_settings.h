@@ -30,6 +30,12 @@ struct MixtureSettings {
   friend bool operator==(const MixtureSettings&, const MixtureSettings&) = default;
 };
 
+inline MixtureSettings mixture_of_step(double step) {
+  MixtureSettings settings;
+  settings.step = step;
+  return settings;
+}
+
 /// 1 / sqrt(8 ln 2), the papers' (the seeds' Gaussians meet at half their height); 1/2 for steps up to 1/4.
 inline double automatic_kappa(double step) {
   return step > 0.25 ? 0.42466090014400953 : 0.5;

@@ -14,6 +14,8 @@ std::unique_ptr<PndfModel> make_model(PndfMethod method, const Surface& surface,
       return std::make_unique<MixturePndf>(surface, intrinsic_roughness, settings.mixture, settings.atlas);
     case PndfMethod::lean:
       return std::make_unique<LeanPndf>(surface, intrinsic_roughness);
+    case PndfMethod::automatic:
+      return std::make_unique<AutoPndf>(surface, intrinsic_roughness, settings.automatic, settings.atlas);
     case PndfMethod::binning:
       return std::make_unique<BinnedPndf>(surface, intrinsic_roughness, settings.binned);
   }

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "core/pndf/auto_pndf.h"
 #include "core/pndf/binned_pndf.h"
 #include "core/pndf/exact_pndf.h"
 #include "core/pndf/fast_exact_pndf.h"
@@ -12,7 +13,7 @@
 
 namespace glint {
 
-enum class PndfMethod { exact, mixture, lean, binning };
+enum class PndfMethod { exact, mixture, lean, automatic, binning };
 
 /// What exact evaluation computes in: FastExactPndf or ExactPndf.
 enum class ExactPrecision { single_precision, double_precision };
@@ -22,6 +23,7 @@ struct ModelSettings {
   ExactSettings exact;
   ExactPrecision precision = ExactPrecision::single_precision;
   MixtureSettings mixture;
+  AutoSettings automatic;
   BinnedSettings binned;
   std::shared_ptr<const MixtureAtlas> atlas;  ///< that mixtures look wide footprints up in, or null
 };

@@ -95,6 +95,7 @@ std::optional<StudyResult> time_method(const Document& document, PndfMethod meth
   result.query_uniform_us = window.mean_us;
   result.query_uniform_count = window.count;
   result.bytes = surface.map().bytes() + model->info().bytes;  // with what was built when it was first asked for
+  result.answered_by = image.answer.text;
   result.own_noise = image.standard_error.empty() ? 0 : image.error.estimated.value_or(0);
   return result;
 }

@@ -44,6 +44,7 @@ struct StudyResult {
   double peak_error;
   double energy_error;
   double own_noise;
+  std::string answered_by;  ///< where the method chooses among others
 };
 
 /// Runs every method of the document. Queries, build and reference run once. Cancelled: an error that says so.

@@ -148,6 +148,7 @@ DocumentOptions::DocumentOptions(CLI::App& app) {
                                             Binding{"--step", "mixture.step"},
                                             Binding{"--kappa", "mixture.kappa"},
                                             Binding{"--elements", "mixture.elements"},
+                                            Binding{"--tolerance", "auto.tolerance"},
                                             Binding{"--samples", "binning.samples"},
                                             Binding{"--size", "grid.size"},
                                             Binding{"--window", "grid.window"},

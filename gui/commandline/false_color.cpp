@@ -28,6 +28,7 @@ PictureEntry entry_of(const Document& document, const MethodImage& m) {
   if (m.method == PndfMethod::mixture) {
     entry.detail = fmt::format("h {:.4g}, {}", document.mixture.step, choice_name(document.mixture.elements));
   }
+  if (!m.image->answer.text.empty()) entry.detail = m.image->answer.text;
   if (m.method == PndfMethod::binning) {
     entry.detail = fmt::format("{} samples", short_count(document.binning_samples));
     entry.caption += "   own noise " + noise_text(*m.image);

@@ -150,12 +150,22 @@ class PndfCommand final : public Command {
                         "sigma_r^2 widened by {:.3g} along s and {:.3g} along t",
                         document.intrinsic_roughness, name_of(m.method), m.image.widening.x, m.image.widening.y));
       }
+      if (!m.image.answer.text.empty()) print_message(options_.quiet(), answer_sentence(m));
       if (!holds_lobe(m.image)) {
         print_message(options_.quiet(),
                       fmt::format("the window does not contain the lobe: the {} image holds {:.3g} % of it",
                                   name_of(m.method), 100 * integral(m.image)));
       }
     }
+  }
+
+  static std::string answer_sentence(const ComputedImage& m) {
+    const double total = 100 * m.image.error.total().value_or(0);
+    if (m.image.answer.known) {
+      return fmt::format("{} was answered by {}, off by about {:.2g} %", name_of(m.method), m.image.answer.text, total);
+    }
+    return fmt::format("{} was answered by {}: no method it has is known to meet the tolerance here (about {:.2g} %)",
+                       name_of(m.method), m.image.answer.text, total);
   }
 
   // Energy is only meaningful where the window contains the lobe.
@@ -192,6 +202,12 @@ class PndfCommand final : public Command {
                      {"mean", {mean.x, mean.y}},
                      {"image_ms", m.milliseconds},
                      {"widening", {m.image.widening.x, m.image.widening.y}}};
+      if (!m.image.answer.text.empty()) {
+        result["answered_by"] = m.image.answer.text;
+        result["tolerance_met"] = m.image.answer.known;
+      }
+      result["error_bounded"] = m.image.error.bounded;
+      result["error_estimated"] = m.image.error.estimated ? Json(*m.image.error.estimated) : Json();
       if (m.method == PndfMethod::mixture) {
         result["kappa"] = document.mixture.kappa.value_or(automatic_kappa(document.mixture.step));
       }

@@ -34,6 +34,8 @@ Json settings_json(const Document& document, const StudyResult& result) {
               {"storage", "float"}};
     case PndfMethod::lean:
       return Json::object();
+    case PndfMethod::automatic:
+      return {{"tolerance", document.automatic.tolerance}, {"answered_by", result.answered_by}};
     case PndfMethod::exact:
       break;
   }

@@ -36,6 +36,7 @@ bool coarse_is_quicker(const PndfGrid& grid) {
 std::string coarse_note(const Document& document, PndfMethod method, Interpolation surface, const PndfGrid& coarse) {
   std::string note = fmt::format("{}² cells", coarse.columns);
   if (method == PndfMethod::exact && surface == Interpolation::linear) note += ", 2 triangles";
+  if (method == PndfMethod::automatic) note += ", h = 1";
   if (method == PndfMethod::binning && document.binning_samples > k_coarse_samples) {
     note += fmt::format(", {} k samples", k_coarse_samples / 1000);
   }
@@ -55,6 +56,9 @@ std::vector<PictureIdentity> identities_of(const Document& document, const Surfa
 // The mixture that a picture of the document comes from; auto's is that which answered last.
 std::optional<MixtureSettings> mixture_of(const Document& document, const view::MethodPicture& picture) {
   if (picture.method == PndfMethod::mixture) return document.mixture;
+  if (picture.method == PndfMethod::automatic && picture.image && picture.image->answer.step > 0) {
+    return mixture_of_step(picture.image->answer.step);
+  }
   return std::nullopt;
 }
 

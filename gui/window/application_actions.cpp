@@ -183,7 +183,8 @@ class Registrar : private ActionRegistrar {
     method("compute.exact", "Exact", Key::digit_1, PndfMethod::exact);
     method("compute.mixture", "Mixture", Key::digit_2, PndfMethod::mixture);
     method("compute.lean", "LEAN", Key::digit_3, PndfMethod::lean);
-    method("compute.binning", "Binning", Key::digit_4, PndfMethod::binning);
+    method("compute.auto", "Auto", Key::digit_4, PndfMethod::automatic);
+    method("compute.binning", "Binning", Key::digit_5, PndfMethod::binning);
     const auto surface = [&](const char* name, const char* title, Key key, std::optional<Interpolation> which) {
       Action* s =
           &add("Compute", name, title, shift(key), "Chooses the surface between the map's samples.",

@@ -34,7 +34,8 @@ bool is_drawn_for(const Parameter& parameter, const Document& document) {
 // Together they make every field matter.
 std::vector<Document> documents_of_all_kinds() {
   Document scratches;
-  scratches.methods = {PndfMethod::exact, PndfMethod::mixture, PndfMethod::lean, PndfMethod::binning};
+  scratches.methods = {PndfMethod::exact, PndfMethod::mixture, PndfMethod::lean, PndfMethod::automatic,
+                       PndfMethod::binning};
   scratches.footprint.covariance = {25, 3, 9};
   scratches.surface.path = "map.png";
   Document file = scratches;

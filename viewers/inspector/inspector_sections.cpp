@@ -227,6 +227,7 @@ constexpr std::array k_places{
     std::pair{std::string_view("methods"), std::string_view("section.methods")},
     std::pair{std::string_view("exact."), std::string_view("section.methods")},
     std::pair{std::string_view("mixture."), std::string_view("section.methods")},
+    std::pair{std::string_view("auto."), std::string_view("section.methods")},
     std::pair{std::string_view("binning."), std::string_view("section.methods")},
     std::pair{std::string_view("seed"), std::string_view("section.methods")},
     std::pair{std::string_view("grid."), std::string_view("section.picture")},

@@ -90,6 +90,13 @@ void lean_row(FieldPage& page) {  // which has no settings of its own
   method_name(page, take_row(page), PndfMethod::lean);
 }
 
+void auto_row(FieldPage& page) {
+  const std::string reason = is_on(page.document, PndfMethod::automatic) ? "" : "The auto method is off.";
+  const Rectangle row = take_row(page);
+  number_controls(page, field("auto.tolerance"), method_name(page, row, PndfMethod::automatic), {.reason = reason});
+  reset_control(page, field("auto.tolerance"), row);
+}
+
 void binning_rows(FieldPage& page) {
   const std::string reason = is_on(page.document, PndfMethod::binning) ? "" : "The binning method is off.";
   const Rectangle row = take_row(page);
@@ -110,6 +117,7 @@ void method_rows(FieldPage& page, const Rectangle& header, const NormalMap* map)
   exact_rows(page, interpolation_on(page.document, map));
   mixture_rows(page);
   lean_row(page);
+  auto_row(page);
   binning_rows(page);
 }
 

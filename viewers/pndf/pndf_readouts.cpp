@@ -137,6 +137,19 @@ Figure noise_figure(PndfMethod method, const MethodPicture* picture) {
         "The relative L1 error that this picture's own randomness makes: an error below it says nothing.";
     return figure;
   }
+  if (!picture->image->answer.text.empty() && error.estimated) {
+    figure.caption = "Own error";
+    figure.brief = "own";
+    figure.value = percent_text(*error.total());
+    figure.value->value.insert(0, "≈ ");
+    figure.help = {"Own error",
+                   fmt::format("What the method itself knows of its relative L1 error: an estimate of {}, made by "
+                               "comparing with the next finer method, and at most {} of parts that are bounded.{}",
+                               text_of(percent_text(*error.estimated)), text_of(percent_text(error.bounded)),
+                               picture->image->answer.known ? "" : " The tolerance is not met by any method it has."),
+                   {}};
+    return figure;
+  }
   figure.value = Quantity{"none", {}};
   figure.brief_value = "no noise";
   figure.help.text = fmt::format(

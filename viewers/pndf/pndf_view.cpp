@@ -64,6 +64,12 @@ std::string setting_text(const PndfInput& input, PndfMethod method, bool compact
     const bool plain = mixture.elements == MixtureElements::corrected || compact;
     return plain ? step : step + ", " + std::string(choice_name(mixture.elements));
   }
+  if (method == PndfMethod::automatic) {
+    const MethodPicture* picture = picture_of(input.results.get(), method);
+    const bool answered = picture != nullptr && picture->image && !picture->image->answer.text.empty();
+    if (answered) return picture->image->answer.text;
+    return "within " + short_number_text(100 * input.document.automatic.tolerance, 3) + " %";
+  }
   if (method == PndfMethod::lean) return compact ? "" : "one Gaussian over slopes";
   const std::string surface = surface_name(input.results.get());
   const bool in_double = input.document.exact_precision == ExactPrecision::double_precision;

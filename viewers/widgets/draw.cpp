@@ -149,6 +149,20 @@ void draw_mark(ImDrawList& list, PndfMethod method, ImVec2 center, float radius)
       list.AddQuad(top, right, bottom, left, edge);
       break;
     }
+    case PndfMethod::automatic: {
+      // A plus: the one that is made of the others.
+      const float arm = 0.36F * radius;
+      const std::array points{ImVec2(-arm, -radius), ImVec2(arm, -radius), ImVec2(arm, -arm),     ImVec2(radius, -arm),
+                              ImVec2(radius, arm),   ImVec2(arm, arm),     ImVec2(arm, radius),   ImVec2(-arm, radius),
+                              ImVec2(-arm, arm),     ImVec2(-radius, arm), ImVec2(-radius, -arm), ImVec2(-arm, -arm)};
+      std::array<ImVec2, points.size()> outline{};
+      std::transform(points.begin(), points.end(), outline.begin(),
+                     [&](ImVec2 p) { return ImVec2(center.x + p.x, center.y + p.y); });
+      list.AddRectFilled({center.x - radius, center.y - arm}, {center.x + radius, center.y + arm}, ink);
+      list.AddRectFilled({center.x - arm, center.y - radius}, {center.x + arm, center.y + radius}, ink);
+      list.AddPolyline(outline.data(), static_cast<int>(outline.size()), edge, ImDrawFlags_Closed, 1);
+      break;
+    }
     case PndfMethod::binning: {
       const float half = 0.95F * radius;
       const std::array points{ImVec2(center.x, center.y - radius), ImVec2(center.x + half, center.y + 0.72F * radius),

@@ -91,6 +91,8 @@ ImU32 method_color(PndfMethod method) {
       return rgb(0x4093FF);
     case PndfMethod::lean:
       return rgb(0xCC70B2);
+    case PndfMethod::automatic:
+      return rgb(0x66D9D0);
     case PndfMethod::binning:
       return rgb(0x269960);
   }

@@ -34,18 +34,18 @@ std::string set_error(std::string_view path, const ParameterValue& value) {
 TEST(Parameters, AreTheFieldsThatTheDesignNames) {
   std::vector<std::string> paths;
   for (const Parameter& p : parameters()) paths.emplace_back(p.path);
-  EXPECT_THAT(
-      paths,
-      testing::ElementsAre(
-          "name", "surface.source", "surface.path", "surface.range", "surface.green", "surface.height_scale",
-          "surface.wrap", "surface.interpolation", "surface.generator.size", "surface.generator.seed",
-          "surface.generator.spectrum", "surface.generator.rms_slope", "surface.generator.correlation_length",
-          "surface.generator.wavelengths", "surface.generator.count", "surface.generator.length",
-          "surface.generator.half_width", "surface.generator.flank_slope", "surface.generator.direction",
-          "surface.generator.spread", "surface.generator.blur", "surface.generator.dent_rms_slope", "footprint.center",
-          "footprint.covariance", "intrinsic_roughness", "methods", "exact.vertex_shift", "exact.precision",
-          "mixture.step", "mixture.kappa", "mixture.elements", "binning.samples", "grid.size", "grid.window", "seed",
-          "view.density_scale", "view.density_range", "view.difference_range", "view.map_colors", "view.elements"));
+  EXPECT_THAT(paths,
+              testing::ElementsAre(
+                  "name", "surface.source", "surface.path", "surface.range", "surface.green", "surface.height_scale",
+                  "surface.wrap", "surface.interpolation", "surface.generator.size", "surface.generator.seed",
+                  "surface.generator.spectrum", "surface.generator.rms_slope", "surface.generator.correlation_length",
+                  "surface.generator.wavelengths", "surface.generator.count", "surface.generator.length",
+                  "surface.generator.half_width", "surface.generator.flank_slope", "surface.generator.direction",
+                  "surface.generator.spread", "surface.generator.blur", "surface.generator.dent_rms_slope",
+                  "footprint.center", "footprint.covariance", "intrinsic_roughness", "methods", "exact.vertex_shift",
+                  "exact.precision", "mixture.step", "mixture.kappa", "mixture.elements", "auto.tolerance",
+                  "binning.samples", "grid.size", "grid.window", "seed", "view.density_scale", "view.density_range",
+                  "view.difference_range", "view.map_colors", "view.elements"));
 }
 
 TEST(Parameters, HaveUniquePathsAndSayWhatTheyDoAndWhoDefinedThem) {
@@ -164,7 +164,8 @@ TEST(Parameters, RefuseWhatIsOutOfRangeAndSayWhatIsAllowed) {
             "seed: is 1.8446744073709552e+19; allowed: a whole number from 0 to 18446744073709551615");
   EXPECT_EQ(set_error("surface.wrap", "mirror"), "surface.wrap: is \"mirror\"; allowed: \"repeat\", \"clamp\"");
   EXPECT_EQ(set_error("methods", test::Texts{"exact", "exact"}),
-            "methods: is [\"exact\", \"exact\"]; allowed: a list of \"exact\", \"mixture\", \"lean\", \"binning\", at "
+            "methods: is [\"exact\", \"exact\"]; allowed: a list of \"exact\", \"mixture\", \"lean\", \"auto\", "
+            "\"binning\", at "
             "least one, "
             "none twice");
   EXPECT_THAT(set_error("methods", test::Texts{}), StartsWith("methods: is []; allowed: "));

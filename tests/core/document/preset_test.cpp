@@ -253,7 +253,7 @@ TEST(PresetErrors, SayWhatIsAllowedWhereTheValueStands) {
   EXPECT_EQ(fault_of(preset_with("\"exact\": {\"vertex_shift\": 1}")),
             "p.json:3:29: field 'exact.vertex_shift': is 1; allowed: true or false");
   EXPECT_EQ(fault_of(preset_with("\"methods\": [true]")),
-            "p.json:3:14: field 'methods': is [true]; allowed: a list of \"exact\", \"mixture\", \"lean\", "
+            "p.json:3:14: field 'methods': is [true]; allowed: a list of \"exact\", \"mixture\", \"lean\", \"auto\", "
             "\"binning\", at least "
             "one, none "
             "twice");
@@ -263,14 +263,15 @@ TEST(PresetErrors, SayWhatIsAllowedWhereTheValueStands) {
             "p.json:3:20: field 'grid.size': is -4; allowed: a whole number from 1 to 16384");
   EXPECT_EQ(fault_of(preset_with("\"surface\":\n\t{\"wrap\":\n\"mirror\"}")),
             "p.json:5:1: field 'surface.wrap': is \"mirror\"; allowed: \"repeat\", \"clamp\"");
-  EXPECT_EQ(fault_of(preset_with("\"methods\": [\"exact\", 3]")),
-            "p.json:3:14: field 'methods': is [\"exact\", 3]; allowed: a list of \"exact\", \"mixture\", \"lean\", "
-            "\"binning\", "
-            "at least one, none "
-            "twice");
+  EXPECT_EQ(
+      fault_of(preset_with("\"methods\": [\"exact\", 3]")),
+      "p.json:3:14: field 'methods': is [\"exact\", 3]; allowed: a list of \"exact\", \"mixture\", \"lean\", \"auto\", "
+      "\"binning\", "
+      "at least one, none "
+      "twice");
   EXPECT_EQ(fault_of(preset_with("\"methods\": [[\"exact\"], {\"a\": [1]}]")),
             "p.json:3:14: field 'methods': is [[\"exact\"], {\"a\": [1]}]; allowed: a list of \"exact\", \"mixture\", "
-            "\"lean\", "
+            "\"lean\", \"auto\", "
             "\"binning\", at "
             "least one, none twice");
   EXPECT_THAT(fault_of(preset_with("\"methods\": [\"exact\", \"exactly\"]")), HasSubstr("is [\"exact\", \"exactly\"]"));
