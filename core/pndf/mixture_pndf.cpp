@@ -1,6 +1,7 @@
 #include "core/pndf/mixture_pndf.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "core/pndf/mixture_query.h"
 #include "core/pndf/mixture_rows.h"
 #include "core/pndf/mixture_sampler.h"
+#include "core/pndf/mixture_search.h"
 #include "core/pndf/mixture_splat.h"
 
 namespace glint {
@@ -27,19 +29,33 @@ constexpr std::size_t k_most_summed = 1U << 15U;  // elements added up in single
 
 class MixtureFootprint final : public FootprintPndf {
  public:
-  explicit MixtureFootprint(const MixtureFrame& frame) : frame_(frame) {
-    if (frame.elements_within() <= k_most_prepared) prepared_.emplace(frame, frame.rows());
-    mass_ = prepared_ ? prepared_->mass() : 1;
+  MixtureFootprint(const MixtureFrame& frame, const MixtureBounds* bounds) : frame_(frame) {
+    const double elements = frame.elements_within();
+    is_streamed_ = elements > k_most_prepared;
+    preparing_cost_ = k_preparing_cost + elements;
+    query_cost_ = k_query_cost + k_query_cost_element * elements;
+    if (bounds != nullptr && !is_streamed_ && MixtureSearch::can_search(frame)) search_.emplace(frame, *bounds);
+  }
+
+  void expect_queries(std::size_t count) const override {
+    const bool many = static_cast<double>(count) * query_cost_ >= preparing_cost_;
+    plan_.store(many ? Plan::prepare : Plan::search, std::memory_order_relaxed);
   }
 
   void evaluate(std::span<const glm::dvec2> s, std::span<double> density) const override {
     const FlushToZero quick;
+    if (search_ && !should_prepare(s.size())) {
+      double spent = 0;
+      for (std::size_t k = 0; k < s.size(); ++k) density[k] = search_->density(s[k], spent);
+      spent_.fetch_add(spent, std::memory_order_relaxed);
+      return;
+    }
     std::fill(density.begin(), density.end(), 0.0);
     const auto add = [&](const PreparedMixture& part) {
       for (std::size_t k = 0; k < s.size(); ++k) density[k] += part.density(s[k]);
     };
-    if (prepared_) {
-      add(*prepared_);
+    if (!is_streamed_) {
+      add(prepared());
       return;
     }
     // So many that they are not kept: made again, some rows at a time.
@@ -51,17 +67,49 @@ class MixtureFootprint final : public FootprintPndf {
 
   [[nodiscard]] glm::dvec2 sample(RandomStream& random) const override { return sample_mixture(frame_, random); }
 
-  [[nodiscard]] double pdf(glm::dvec2 s) const override { return mass_ > 0 ? FootprintPndf::pdf(s) / mass_ : 0; }
+  [[nodiscard]] double pdf(glm::dvec2 s) const override {
+    double mass = mass_.load(std::memory_order_relaxed);
+    if (mass < 0) {
+      mass = sum_of_weights(frame_);
+      mass_.store(mass, std::memory_order_relaxed);
+    }
+    return mass > 0 ? FootprintPndf::pdf(s) / mass : 0;
+  }
 
   [[nodiscard]] PndfError error() const override { return {}; }
 
  private:
   static constexpr double k_most_prepared = 4e6;  // elements: 110 MB
   static constexpr std::int64_t k_streamed_rows = 32;
+  // As measured, in elements that are prepared in that time.
+  static constexpr double k_preparing_cost = 350;        // beside its elements
+  static constexpr double k_query_cost = 30;             // of a query without preparing
+  static constexpr double k_query_cost_element = 0.025;  // and for each element within the cut
+
+  enum class Plan { undecided, search, prepare };
+
+  // Once queries have taken as long as preparing would have, which then was the better choice at most by half.
+  [[nodiscard]] bool should_prepare(std::size_t more) const {
+    const Plan plan = plan_.load(std::memory_order_relaxed);
+    if (plan != Plan::undecided) return plan == Plan::prepare;
+    return spent_.load(std::memory_order_relaxed) + static_cast<double>(more) * query_cost_ >= preparing_cost_;
+  }
+
+  const PreparedMixture& prepared() const {
+    std::call_once(prepared_once_, [this] { prepared_.emplace(frame_, frame_.rows()); });
+    return *prepared_;
+  }
 
   MixtureFrame frame_;
-  std::optional<PreparedMixture> prepared_;
-  double mass_;  // of wide footprints, whose lattice does not ripple: 1
+  std::optional<MixtureSearch> search_;
+  bool is_streamed_;
+  double preparing_cost_;
+  double query_cost_;
+  mutable std::atomic<double> spent_{0};
+  mutable std::atomic<Plan> plan_{Plan::undecided};
+  mutable std::once_flag prepared_once_;
+  mutable std::optional<PreparedMixture> prepared_;
+  mutable std::atomic<double> mass_{-1};
 };
 
 // Whether the exact method answers: what such a footprint sees it sees again and again, or single precision does not
@@ -89,8 +137,10 @@ MixturePndf::MixturePndf(const Surface& surface, double intrinsic_roughness, con
       atlas_(std::move(atlas)) {}
 
 PndfModelInfo MixturePndf::info() const {
+  const MixtureBounds* built = bounds_in_use_.load(std::memory_order_acquire);
+  const std::size_t bytes = built != nullptr ? built->bytes() : 0;
   return {"mixture", surface_.interpolation(),
-          "off by the step between its elements, which ripple as their lattice does", 0};
+          "off by the step between its elements, which ripple as their lattice does", bytes};
 }
 
 const FastExactPndf& MixturePndf::exact() const {
@@ -99,11 +149,22 @@ const FastExactPndf& MixturePndf::exact() const {
   return *exact_;
 }
 
+const MixtureBounds* MixturePndf::bounds() const {
+  std::call_once(bounds_built_, [this] {
+    const bool constant = surface_.interpolation() == Interpolation::constant;
+    if (std::optional<CellSeeds> seeds = CellSeeds::of(surface_.map(), constant, settings_)) {
+      bounds_ = std::make_unique<const MixtureBounds>(surface_.shared_map(), *std::move(seeds), intrinsic_roughness_);
+      bounds_in_use_.store(bounds_.get(), std::memory_order_release);
+    }
+  });
+  return bounds_.get();
+}
+
 FootprintPndf& MixturePndf::at(const Footprint& footprint, PndfWorkspace& workspace) const {
   const Footprint reduced{reduced_center(surface_.map(), footprint.center), footprint.covariance};
   const MixtureFrame frame(surface_, settings_, reduced, glm::dvec2(intrinsic_roughness_), k_query_cut);
   if (is_for_exact(frame)) return exact().at(footprint, workspace);
-  return workspace.emplace<MixtureFootprint>(frame);
+  return workspace.emplace<MixtureFootprint>(frame, bounds());
 }
 
 std::optional<PndfImage> MixturePndf::image(const Footprint& footprint, const PndfGrid& grid,

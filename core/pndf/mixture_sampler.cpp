@@ -3,8 +3,10 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
-#include "core/surface/catmull_rom.h"
+#include "core/pndf/footprint_window.h"
+#include "core/pndf/mixture_cells.h"
 
 namespace glint {
 namespace {
@@ -58,35 +60,54 @@ struct SeedNormal {
 };
 
 SeedNormal seed_normal(const MixtureFrame& frame, glm::dvec2 seed) {
-  if (frame.piecewise_constant) {
-    return {glm::dvec2(frame.map->texel(static_cast<std::int64_t>(std::floor(seed.x)),
-                                        static_cast<std::int64_t>(std::floor(seed.y))))};
-  }
-  const double i = std::floor(seed.x - 0.5);
-  const double j = std::floor(seed.y - 0.5);
-  const std::array<std::array<CubicWeights, 3>, 2> w{
-      {{catmull_rom(seed.x - 0.5 - i), catmull_rom_derivative(seed.x - 0.5 - i),
-        catmull_rom_second_difference(seed.x - 0.5 - i)},
-       {catmull_rom(seed.y - 0.5 - j), catmull_rom_derivative(seed.y - 0.5 - j),
-        catmull_rom_second_difference(seed.y - 0.5 - j)}}};
+  const AxisStencil u(seed.x, frame.piecewise_constant);
+  const AxisStencil v(seed.y, frame.piecewise_constant);
   const double half = 0.5 * frame.lattice.deviation * frame.lattice.deviation;
   const double correction = frame.elements == MixtureElements::corrected ? half : 0;
   const double sheared = frame.elements == MixtureElements::flat ? 0 : 1;
   SeedNormal out;
-  for (std::size_t b = 0; b < 4; ++b) {
-    for (std::size_t a = 0; a < 4; ++a) {
-      const glm::dvec2 n(frame.map->texel(static_cast<std::int64_t>(i) - 1 + static_cast<std::int64_t>(a),
-                                          static_cast<std::int64_t>(j) - 1 + static_cast<std::int64_t>(b)));
-      const double bend = w[0][2][a] * w[1][0][b] + w[0][0][a] * w[1][2][b];
-      out.normal += (w[0][0][a] * w[1][0][b] + correction * bend) * n;
-      out.du += sheared * w[0][1][a] * w[1][0][b] * n;
-      out.dv += sheared * w[0][0][a] * w[1][1][b] * n;
+  const std::size_t taps = frame.piecewise_constant ? 1 : 4;
+  for (std::size_t b = 0; b < taps; ++b) {
+    for (std::size_t a = 0; a < taps; ++a) {
+      const glm::dvec2 n(
+          frame.map->texel(u.first + static_cast<std::int64_t>(a), v.first + static_cast<std::int64_t>(b)));
+      const double bend = u.bend[a] * v.value[b] + u.value[a] * v.bend[b];
+      out.normal += (u.value[a] * v.value[b] + correction * bend) * n;
+      out.du += sheared * u.slope[a] * v.value[b] * n;
+      out.dv += sheared * u.value[a] * v.slope[b] * n;
     }
   }
   return out;
 }
 
 }  // namespace
+
+// By Poisson's formula the sum over frequencies f = (k / step.x, l / step.y) of exp(-2 pi^2 f^T V f) cos(2 pi f.(u_p -
+// u_0)), of which few are left: V is at least sigma_h^2 I.
+double sum_of_weights(const MixtureFrame& frame) {
+  constexpr double k_least_exponent = 36;  // 2e-16 is left out
+  constexpr double k_turn = 2 * std::numbers::pi;
+  const glm::dvec2 step = frame.lattice.step;
+  const double whole = determinant(frame.widened);
+  // V of offsets in steps, inverted: within the cut are those frequencies that count.
+  const FootprintWindow frequencies({step.x * step.x * frame.widened.yy / whole,
+                                     -step.x * step.y * frame.widened.xy / whole,
+                                     step.y * step.y * frame.widened.xx / whole});
+  const double cut = std::sqrt(2 * k_least_exponent) / k_turn;
+  const glm::dvec2 phase = k_turn * (frame.center / step - 0.5);
+  const Whitening& white = frequencies.whitening();
+  double sum = 0;
+  const double last = std::floor(frequencies.reach_y(cut));
+  for (double l = -last; l <= last; ++l) {
+    const std::optional<Interval> row = frequencies.columns({l, l}, cut);
+    if (!row) continue;
+    for (double k = std::ceil(row->lo); k <= row->hi; ++k) {
+      const glm::dvec2 f = white.apply({k, l});
+      sum += std::exp(-0.5 * k_turn * k_turn * (f.x * f.x + f.y * f.y)) * std::cos(k * phase.x + l * phase.y);
+    }
+  }
+  return sum;
+}
 
 glm::dvec2 sample_mixture(const MixtureFrame& frame, RandomStream& random) {
   const MixtureLattice& lattice = frame.lattice;

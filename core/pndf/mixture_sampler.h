@@ -6,7 +6,10 @@
 
 namespace glint {
 
-/// A normal whose density is D_P(s) over the sum of the elements' weights, without any cut.
+/// The integral of D_P(s) over the plane: the elements' weights, which ripple about 1 as their lattice does.
+double sum_of_weights(const MixtureFrame& frame);
+
+/// A normal whose density is D_P(s) over that sum, without any cut.
 glm::dvec2 sample_mixture(const MixtureFrame& frame, RandomStream& random);
 
 }  // namespace glint

@@ -35,6 +35,10 @@ class FootprintPndf {
   /// density[k] = D_P(s[k]), per unit of disk area; the spans have equal sizes. Never negative, NaN or infinite.
   virtual void evaluate(std::span<const glm::dvec2> s, std::span<double> density) const = 0;
 
+  /// Says that about so many normals will be asked, before any is: what pays for them is prepared once and for all, and
+  /// values then do not depend on who asks first. Calling it is a choice.
+  virtual void expect_queries(std::size_t /*count*/) const {}
+
   /// A projected normal drawn with density pdf(). Outside the unit disk it is an invalid normal, which contributes
   /// nothing.
   [[nodiscard]] virtual glm::dvec2 sample(RandomStream& random) const = 0;

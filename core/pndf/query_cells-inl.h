@@ -1,5 +1,5 @@
 // The vertices of 4 x 4 cells of a surface, a vector of cells at a time. Built once for each of Highway's targets,
-// inside exact_query.cpp and nowhere else.
+// inside the files that name it and nowhere else.
 
 #if defined(GLINT_QUERY_CELLS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_QUERY_CELLS_INL_H_
@@ -62,6 +62,30 @@ class TexelWindow {
   std::array<glm::vec2, 49> spare_;
 };
 
+// Of 4 x 4 texels those first, first + 1, …; they begin `right` texels behind each row's first.
+HWY_INLINE void block_texels(const float* const* rows, int right, int first, V& x, V& y) {
+  const Floats d;
+  const auto from = [&](int row) HWY_ATTR { return rows[first / 4 + row] + std::ptrdiff_t{2} * right; };
+#if HWY_TARGET == HWY_SCALAR
+  x = hn::Set(d, from(0)[2 * (first % 4)]);
+  y = hn::Set(d, from(0)[2 * (first % 4) + 1]);
+#else
+#if HWY_MAX_BYTES == 64
+  const hn::FixedTag<float, 8> half;
+  const V lower = hn::Combine(d, hn::LoadU(half, from(1)), hn::LoadU(half, from(0)));
+  const V upper = hn::Combine(d, hn::LoadU(half, from(3)), hn::LoadU(half, from(2)));
+#elif HWY_MAX_BYTES == 32
+  const V lower = hn::LoadU(d, from(0));
+  const V upper = hn::LoadU(d, from(1));
+#else
+  const V lower = hn::LoadU(d, from(0));
+  const V upper = hn::LoadU(d, from(0) + 4);
+#endif
+  x = hn::ConcatEven(d, upper, lower);
+  y = hn::ConcatOdd(d, upper, lower);
+#endif
+}
+
 // 4 x 4 cells whose vertices are texels.
 class LinearCells {
  public:
@@ -82,27 +106,7 @@ class LinearCells {
 
  private:
   HWY_INLINE void texels(int first, int right, int down, V& x, V& y) const {
-    const Floats d;
-    const std::size_t first_row = static_cast<std::size_t>(first) / 4 + static_cast<std::size_t>(down);
-    const auto from = [&](std::size_t row) { return rows_[first_row + row] + std::ptrdiff_t{2} * right; };
-#if HWY_TARGET == HWY_SCALAR
-    x = hn::Set(d, from(0)[2 * (first % 4)]);
-    y = hn::Set(d, from(0)[2 * (first % 4) + 1]);
-#else
-#if HWY_MAX_BYTES == 64
-    const hn::FixedTag<float, 8> half;
-    const V lower = hn::Combine(d, hn::LoadU(half, from(1)), hn::LoadU(half, from(0)));
-    const V upper = hn::Combine(d, hn::LoadU(half, from(3)), hn::LoadU(half, from(2)));
-#elif HWY_MAX_BYTES == 32
-    const V lower = hn::LoadU(d, from(0));
-    const V upper = hn::LoadU(d, from(1));
-#else
-    const V lower = hn::LoadU(d, from(0));
-    const V upper = hn::LoadU(d, from(0) + 4);
-#endif
-    x = hn::ConcatEven(d, upper, lower);
-    y = hn::ConcatOdd(d, upper, lower);
-#endif
+    block_texels(rows_.data() + down, right, first, x, y);
   }
 
   std::array<const float*, 5> rows_{};

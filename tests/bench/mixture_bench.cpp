@@ -97,26 +97,53 @@ void measure_queries(const Surface& surface, int n, Json& out) {
     if (set == InstructionSet::scalar) continue;
     force_instruction_set(set);
     PndfWorkspace workspace;
-    std::vector<double> preparing;
-    for (int k = 0; k < 20; ++k) {
-      const Clock::time_point begin = Clock::now();
-      model.at(footprint, workspace);
-      preparing.push_back(microseconds_since(begin));
-    }
-    const FootprintPndf& pndf = model.at(footprint, workspace);
     RandomStream random(1, 2);
     std::vector<glm::dvec2> s(k_queries);
-    for (glm::dvec2& normal : s) normal = pndf.sample(random);
+    for (glm::dvec2& normal : s) normal = model.at(footprint, workspace).sample(random);
     std::vector<double> density(k_queries);
-    std::vector<double> times;
+    const auto time_queries = [&](const FootprintPndf& pndf) {
+      std::vector<double> times;
+      for (int run = 0; run < 6; ++run) {
+        const Clock::time_point begin = Clock::now();
+        for (std::size_t k = 0; k < k_queries; ++k) pndf.evaluate({&s[k], 1}, {&density[k], 1});
+        if (run > 0) times.push_back(microseconds_since(begin) / k_queries);
+      }
+      return times;
+    };
+    std::vector<double> preparing;
+    for (int k = 0; k < 20; ++k) {
+      const FootprintPndf& pndf = model.at(footprint, workspace);
+      pndf.expect_queries(k_queries);
+      const Clock::time_point begin = Clock::now();
+      pndf.evaluate({s.data(), 1}, {density.data(), 1});
+      preparing.push_back(microseconds_since(begin));
+    }
+    const FootprintPndf& prepared = model.at(footprint, workspace);
+    prepared.expect_queries(k_queries);
+    const std::vector<double> times = time_queries(prepared);
+    const FootprintPndf& unprepared = model.at(footprint, workspace);
+    unprepared.expect_queries(1);
+    const std::vector<double> times_unprepared = time_queries(unprepared);
+    // As a renderer that asks one normal of every footprint.
+    std::vector<double> times_alone;
     for (int run = 0; run < 6; ++run) {
       const Clock::time_point begin = Clock::now();
-      for (std::size_t k = 0; k < k_queries; ++k) pndf.evaluate({&s[k], 1}, {&density[k], 1});
-      if (run > 0) times.push_back(microseconds_since(begin) / k_queries);
+      for (std::size_t k = 0; k < k_queries; ++k) {
+        model.at(footprint, workspace).evaluate({&s[k], 1}, {&density[k], 1});
+      }
+      if (run > 0) times_alone.push_back(microseconds_since(begin) / k_queries);
     }
+    const double pays = median(preparing) / std::max(median(times_unprepared) - median(times), 1e-9);
     const std::string_view isa = instruction_set_name(set);
-    fmt::print("{:>4} {:>8} {:>10.3f} {:>12.1f}\n", n, isa, median(times), median(preparing));
-    out.push_back({{"n", n}, {"isa", isa}, {"query_us", median(times)}, {"prepare_us", median(preparing)}});
+    fmt::print("{:>4} {:>8} {:>10.3f} {:>12.1f} {:>14.3f} {:>16.3f} {:>12.0f}\n", n, isa, median(times),
+               median(preparing), median(times_unprepared), median(times_alone), pays);
+    out.push_back({{"n", n},
+                   {"isa", isa},
+                   {"query_us", median(times)},
+                   {"prepare_us", median(preparing)},
+                   {"query_without_preparing_us", median(times_unprepared)},
+                   {"one_query_a_footprint_us", median(times_alone)},
+                   {"preparing_pays_from", pays}});
   }
 }
 
@@ -133,7 +160,8 @@ int main(int argc, char** argv) {
              "median ms", "relative L1", "peak error", "energy");
   Json images = Json::array();
   for (const int n : {10, 50, 200}) measure_images(surface, n, images);
-  fmt::print("\n{:>4} {:>8} {:>10} {:>12}   (h 0.5)\n", "N", "isa", "query us", "prepare us");
+  fmt::print("\n{:>4} {:>8} {:>10} {:>12} {:>14} {:>16} {:>12}   (h 0.5)\n", "N", "isa", "query us", "prepare us",
+             "unprepared us", "one a footprint", "pays from");
   Json queries = Json::array();
   for (const int n : {18, 50, 200}) measure_queries(surface, n, queries);
   if (argc < 3 || std::string(argv[1]) != "--json") return 0;
