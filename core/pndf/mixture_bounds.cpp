@@ -29,7 +29,8 @@ struct CornerGuess {
 std::array<CornerGuess, 16> corner_guesses(const CellSeeds& seeds, const TexelView& texels) {
   std::array<CornerGuess, 16> all{};
   for (int first = 0; first < 16; first += k_lanes) {
-    const CellLanes lanes = cell_lanes(seeds, texels, first);
+    CellLanes lanes;
+    find_cell_lanes(seeds, texels, first, lanes);
     for (std::size_t axis = 0; axis < TileBounds::k_axes; ++axis) {
       const auto spread = [&](V of, auto member) HWY_ATTR {
         alignas(64) std::array<float, 16> values{};

@@ -206,7 +206,8 @@ class Search {
                                                u_.count - tile.column - x, v_.count - tile.row - y);
     }
     for (int k = 0; k < 16; k += k_lanes) {
-      const CellLanes cells = cell_lanes(bounds_.seeds(), texels, k);
+      CellLanes cells;
+      find_cell_lanes(bounds_.seeds(), texels, k, cells);
       const V squared = squared_distance(k, tile.left + static_cast<float>(x), tile.top + static_cast<float>(y), 1);
       const V space = room(squared);
       auto near = in_reach(squared);

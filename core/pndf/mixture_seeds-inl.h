@@ -202,15 +202,17 @@ HWY_INLINE std::array<V, TileBounds::k_axes> along_axes(V x, V y) {
 }
 
 // Of cells first, first + 1, … of the 4 x 4 whose texels those are.
-HWY_INLINE CellLanes cell_lanes(const CellSeeds& seeds, const TexelView& texels, int first) {
+HWY_INLINE void find_cell_lanes(const CellSeeds& seeds, const TexelView& texels, int first, CellLanes& out) {
   const Floats d;
   if (seeds.taps == 1) {
     V x;
     V y;
     const std::array<const float*, 4> rows{texels.row(0), texels.row(1), texels.row(2), texels.row(3)};
     block_texels(rows.data(), 0, first, x, y);
-    const V zero = hn::Zero(d);
-    return {along_axes(x, y), {zero, zero, zero, zero}, {zero, zero, zero, zero}};
+    out.middle = along_axes(x, y);
+    out.reach.fill(hn::Zero(d));
+    out.variance.fill(hn::Zero(d));
+    return;
   }
   const std::array<const float*, 5> rows{texels.row(1), texels.row(2), texels.row(3), texels.row(4), texels.row(5)};
   std::array<std::array<V, 2>, 4> n;
@@ -232,7 +234,6 @@ HWY_INLINE CellLanes cell_lanes(const CellSeeds& seeds, const TexelView& texels,
     const V sum = hn::Add(hn::Add(n[0][axis], n[3][axis]), hn::Add(n[1][axis], n[2][axis]));
     middle[axis] = hn::MulAdd(from_middle, falling, hn::Mul(quarter, sum));
   }
-  CellLanes out;
   out.middle = along_axes(middle[0], middle[1]);
   const auto along_u = along_axes(du[0], du[1]);
   const auto along_v = along_axes(dv[0], dv[1]);
@@ -244,7 +245,6 @@ HWY_INLINE CellLanes cell_lanes(const CellSeeds& seeds, const TexelView& texels,
     out.reach[axis] = hn::Mul(extent, hn::Add(hn::Abs(u), hn::Abs(v)));
     out.variance[axis] = hn::Mul(squared, hn::MulAdd(u, u, hn::Mul(v, v)));
   }
-  return out;
 }
 
 }  // namespace
