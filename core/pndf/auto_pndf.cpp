@@ -179,13 +179,10 @@ AutoPndf::AutoPndf(const Surface& surface, double intrinsic_roughness, const Aut
     const MixtureSettings of_step = mixture_of_step(k_steps[k]);
     mixtures_[k] = std::make_unique<const MixturePndf>(surface_, intrinsic_roughness_, of_step, atlas);
   }
-  ExactSettings fine;
-  fine.subdivision = 8;
-  exact_ = std::make_unique<const FastExactPndf>(surface_, intrinsic_roughness_, fine);
-  coarser_exact_ = std::make_unique<const FastExactPndf>(surface_, intrinsic_roughness_);
-  ExactSettings of_images;
-  of_images.vertex_shift = surface_.interpolation() == Interpolation::smooth;
-  exact_images_ = std::make_unique<const FastExactPndf>(surface_, intrinsic_roughness_, of_images);
+  ExactSettings shifted;
+  shifted.vertex_shift = surface_.interpolation() == Interpolation::smooth;
+  exact_ = std::make_unique<const FastExactPndf>(surface_, intrinsic_roughness_, shifted);
+  plain_exact_ = std::make_unique<const FastExactPndf>(surface_, intrinsic_roughness_);
 }
 
 PndfModelInfo AutoPndf::info() const {
@@ -217,7 +214,10 @@ AutoChoice AutoPndf::choose(const Footprint& footprint) const {
     if (lean_may_do && of_lean.upper() + off <= tolerance) return {Answer::lean, 0, of_lean.upper() + off, true};
     return {Answer::mixture, k_steps[coarser_does ? k : k + 1], off, true};
   }
-  const double off = compare(*coarser_exact_, *exact_).upper() * 2 / 3;
+  // Shifting vertices leaves less than an eighth of what it moves: some hundredth where triangles are small enough.
+  const double off = compare(*plain_exact_, *exact_).upper() / 8;
+  const double of_finest = compare(*exact_, *mixtures_.back()).upper() + off;
+  if (of_finest <= tolerance) return {Answer::mixture, k_steps.back(), of_finest, true};
   return {Answer::exact, 0, off, off <= tolerance};
 }
 
@@ -241,8 +241,7 @@ FootprintPndf& AutoPndf::at(const Footprint& footprint, PndfWorkspace& workspace
 
 std::optional<PndfImage> AutoPndf::image(const Footprint& footprint, const PndfGrid& grid, JobControl& control) const {
   const AutoChoice choice = choose(footprint);
-  const bool by_exact = choice.answer == AutoChoice::Answer::exact;
-  std::optional<PndfImage> image = (by_exact ? *exact_images_ : model_of(choice)).image(footprint, grid, control);
+  std::optional<PndfImage> image = model_of(choice).image(footprint, grid, control);
   if (!image) return image;
   count(choice);
   image->error.estimated = choice.estimated;

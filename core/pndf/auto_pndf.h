@@ -39,8 +39,8 @@ struct AutoChoice {
 };
 
 /// Tries LEAN, mixtures of h = 2, 1, 1/2 and 1/4 and exact evaluation, in this order. Images of wide footprints are
-/// looked up in the atlas where it holds them; near-flat maps are merged (MixturePndf). Single normals of the exact
-/// method cut each texel into 128 triangles, images into 32 with shifted vertices.
+/// looked up in the atlas where it holds them; near-flat maps are merged (MixturePndf). Exact is
+/// that of 32 triangles a texel with shifted vertices.
 class AutoPndf final : public PndfModel {
  public:
   static constexpr double k_probed_deviation = 16;
@@ -76,9 +76,8 @@ class AutoPndf final : public PndfModel {
   AutoSettings settings_;
   LeanPndf lean_;
   std::array<std::unique_ptr<const MixturePndf>, k_steps.size()> mixtures_;  // by step
-  std::unique_ptr<const FastExactPndf> exact_;                               // of single normals
-  std::unique_ptr<const FastExactPndf> coarser_exact_;                       // that it is estimated with
-  std::unique_ptr<const FastExactPndf> exact_images_;
+  std::unique_ptr<const FastExactPndf> exact_;
+  std::unique_ptr<const FastExactPndf> plain_exact_;  // whose vertices are not shifted: what exact is held against
   mutable std::array<std::atomic<std::size_t>, k_steps.size() + 3> counts_{};
 };
 

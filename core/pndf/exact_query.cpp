@@ -178,13 +178,13 @@ class Query {
     }
     const TexelWindow texels(map, i - 1, j - 1, 7, 7);
     NearBits near{};
-    find_near_patches(SmoothBounds(texels), left, top, active, near);
+    find_near_patches(SmoothBounds(texels, cells.vertex_shift()), left, top, active, near);
     for_bits(active, [&](int q) { near[static_cast<std::size_t>(q)] &= there; });
     for_near(near, active, [&](int cell, std::uint32_t normals) HWY_ATTR {
       const int x = cell % 4;
       const int y = cell / 4;
-      list_triangles(SmoothSubcells(texels, x, y), 0xFFFF, left + static_cast<float>(x), top + static_cast<float>(y),
-                     normals);
+      list_triangles(SmoothSubcells(texels, x, y, cells.vertex_shift()), 0xFFFF, left + static_cast<float>(x),
+                     top + static_cast<float>(y), normals);
     });
   }
 

@@ -56,7 +56,7 @@ class QueryScratch {
   std::unique_ptr<Arrays> arrays_;
 };
 
-/// False where only double precision does: triangles of other sizes than 2 or 32 a texel, shifted vertices, a roughness
+/// False where only double precision does: triangles of other sizes than 2 or 32 a texel, a roughness
 /// below what floats tell apart, a footprint whose whitening cancels, that holds too many periods of a small map, or
 /// that leaves a map that clamps.
 bool can_query(const SurfaceCells& cells, const FootprintWindow& window, glm::dvec2 center, double roughness,

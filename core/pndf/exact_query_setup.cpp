@@ -45,7 +45,7 @@ bool can_query(const SurfaceCells& cells, const FootprintWindow& window, glm::dv
   if (roughness < k_least_single_roughness || !suits_single_precision(window, cut)) return false;
   if (group_estimate(cells.surface().map(), window, cut) > k_most_groups) return false;
   const Interpolation interpolation = cells.surface().interpolation();
-  if (interpolation == Interpolation::constant || cells.vertex_shift()) return false;
+  if (interpolation == Interpolation::constant) return false;
   if (interpolation == Interpolation::smooth && cells.subdivision() != 4) return false;
   if (cells.surface().map().wrap() == Wrap::repeat) return true;
   const NormalMap& map = cells.surface().map();

@@ -15,7 +15,7 @@ namespace glint {
 /// scale; measured, images and single normals are within 1e-4
 /// (relative L1) of ExactPndf on the same surface. Triangles too long for single precision, folded footprints,
 /// footprints so elongated and turned that their whitening cancels and, for single normals, the constant surface,
-/// shifted vertices, a roughness below 1e-6 and footprints that leave a map that clamps are evaluated by ExactPndf.
+/// a roughness below 1e-6 and footprints that leave a map that clamps are evaluated by ExactPndf.
 class FastExactPndf final : public PndfModel {
  public:
   static constexpr double k_image_cut = 5;

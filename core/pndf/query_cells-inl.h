@@ -112,52 +112,55 @@ class LinearCells {
   std::array<const float*, 5> rows_{};
 };
 
-// Weights of four texels at the left (0) or right (1) vertices of 16 sub-cells, by their columns or rows.
+// Weights of four texels at the left (0) or right (1) vertices of 16 sub-cells, by their columns or rows: of the value,
+// and of the derivatives that shifted vertices take.
 using VertexWeights = std::array<std::array<std::array<float, 16>, 4>, 2>;
-constexpr VertexWeights vertex_weights(bool along_rows) {
+constexpr VertexWeights vertex_weights(bool along_rows, CubicWeights (*weights_at)(double)) {
   VertexWeights all{};
   for (std::size_t side = 0; side < 2; ++side) {
     for (std::size_t cell = 0; cell < 16; ++cell) {
-      const CubicWeights w = catmull_rom(0.25 * static_cast<double>((along_rows ? cell % 4 : cell / 4) + side));
+      const CubicWeights w = weights_at(0.25 * static_cast<double>((along_rows ? cell % 4 : cell / 4) + side));
       for (std::size_t k = 0; k < 4; ++k) all[side][k][cell] = static_cast<float>(w[k]);
     }
   }
   return all;
 }
-alignas(64) inline constexpr VertexWeights k_column_weights = vertex_weights(true);
-alignas(64) inline constexpr VertexWeights k_row_weights = vertex_weights(false);
+alignas(64) inline constexpr VertexWeights k_column_weights = vertex_weights(true, catmull_rom);
+alignas(64) inline constexpr VertexWeights k_row_weights = vertex_weights(false, catmull_rom);
+alignas(64) inline constexpr VertexWeights k_column_slopes = vertex_weights(true, catmull_rom_derivative);
+alignas(64) inline constexpr VertexWeights k_row_slopes = vertex_weights(false, catmull_rom_derivative);
+alignas(64) inline constexpr VertexWeights k_column_bends = vertex_weights(true, catmull_rom_second_derivative);
+alignas(64) inline constexpr VertexWeights k_row_bends = vertex_weights(false, catmull_rom_second_derivative);
 
-// The 4 x 4 sub-cells of one smooth cell, whose patch the 4 x 4 texels from (column, row) of a window on make.
+// The 4 x 4 sub-cells of one smooth cell, whose patch the 4 x 4 texels from (column, row) of a window on make; where
+// `shifted`, with vertices as SurfaceCells shifts them.
 class SmoothSubcells {
  public:
   static constexpr float k_size = 0.25F;
 
-  SmoothSubcells(const TexelWindow& texels, int column, int row) {
+  SmoothSubcells(const TexelWindow& texels, int column, int row, bool shifted) : shifted_(shifted) {
     for (int r = 0; r < 4; ++r) rows_[static_cast<std::size_t>(r)] = texels.row(row + r) + std::ptrdiff_t{2} * column;
   }
 
   [[nodiscard]] HWY_INLINE CornerLanes corners(int first) const {
-    const Floats d;
     const auto at = static_cast<std::size_t>(first);
     CornerLanes all;
     for (std::size_t axis = 0; axis < 2; ++axis) {
       std::array<V, 4>& out = axis == 0 ? all.x : all.y;
       for (std::size_t right = 0; right < 2; ++right) {
-        const auto along = [&](std::size_t r) HWY_ATTR {
-          const float* row = rows_[r] + axis;
-          V sum = hn::Mul(hn::Set(d, row[0]), hn::Load(d, k_column_weights[right][0].data() + at));
-          for (std::size_t k = 1; k < 4; ++k) {
-            sum = hn::MulAdd(hn::Set(d, row[2 * k]), hn::Load(d, k_column_weights[right][k].data() + at), sum);
-          }
-          return sum;
-        };
-        const std::array<V, 4> lines{along(0), along(1), along(2), along(3)};
+        const Lines values = along_rows(axis, k_column_weights[right], at);
         for (std::size_t down = 0; down < 2; ++down) {
-          V sum = hn::Mul(lines[0], hn::Load(d, k_row_weights[down][0].data() + at));
-          for (std::size_t k = 1; k < 4; ++k) {
-            sum = hn::MulAdd(lines[k], hn::Load(d, k_row_weights[down][k].data() + at), sum);
-          }
-          out[2 * down + right] = sum;
+          out[2 * down + right] = across_rows(values, k_row_weights[down], at);
+        }
+        if (!shifted_) continue;
+        const V c = hn::Set(Floats(), k_size * k_size / 12);
+        const Lines slopes = along_rows(axis, k_column_slopes[right], at);
+        const Lines bends = along_rows(axis, k_column_bends[right], at);
+        for (std::size_t down = 0; down < 2; ++down) {
+          const V curvature =
+              hn::Sub(hn::Add(across_rows(bends, k_row_weights[down], at), across_rows(values, k_row_bends[down], at)),
+                      across_rows(slopes, k_row_slopes[down], at));
+          out[2 * down + right] = hn::NegMulAdd(c, curvature, out[2 * down + right]);
         }
       }
     }
@@ -165,13 +168,38 @@ class SmoothSubcells {
   }
 
  private:
+  using Lines = std::array<V, 4>;  // one a row of texels
+  using SideWeights = VertexWeights::value_type;
+
+  [[nodiscard]] HWY_INLINE Lines along_rows(std::size_t axis, const SideWeights& weights, std::size_t at) const {
+    const Floats d;
+    const auto along = [&](std::size_t r) HWY_ATTR {
+      const float* row = rows_[r] + axis;
+      V sum = hn::Mul(hn::Set(d, row[0]), hn::Load(d, weights[0].data() + at));
+      for (std::size_t k = 1; k < 4; ++k) {
+        sum = hn::MulAdd(hn::Set(d, row[2 * k]), hn::Load(d, weights[k].data() + at), sum);
+      }
+      return sum;
+    };
+    return {along(0), along(1), along(2), along(3)};
+  }
+  static HWY_INLINE V across_rows(const Lines& lines, const SideWeights& weights, std::size_t at) {
+    const Floats d;
+    V sum = hn::Mul(lines[0], hn::Load(d, weights[0].data() + at));
+    for (std::size_t k = 1; k < 4; ++k) sum = hn::MulAdd(lines[k], hn::Load(d, weights[k].data() + at), sum);
+    return sum;
+  }
+
   std::array<const float*, 4> rows_{};
+  bool shifted_;
 };
 
 // Bounds of the normals of the 16 smooth cells that a window of 7 x 7 texels holds: of each patch's Bezier points.
+// Shifted vertices move by c |n_uu + n_vv - n_uv|, c = 1 / 192, which are second differences of those points: at most
+// c (12 + 12 + 18) of their range.
 class SmoothBounds {
  public:
-  explicit SmoothBounds(const TexelWindow& texels) {
+  SmoothBounds(const TexelWindow& texels, bool shifted) : margin_(shifted ? 42.0F / 192 : 0.0F) {
     for (int r = 0; r < 7; ++r) {
       const float* row = texels.row(r);
       for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -204,11 +232,15 @@ class SmoothBounds {
       lo = h == 0 ? least : hn::Min(lo, least);
       hi = h == 0 ? most : hn::Max(hi, most);
     }
+    const V more = hn::Mul(hn::Sub(hi, lo), hn::Set(d, margin_));
+    lo = hn::Sub(lo, more);
+    hi = hn::Add(hi, more);
   }
 
  private:
   // Of Bezier point h along the rows: row by row of texels, four cells each.
   alignas(64) std::array<std::array<std::array<float, 28>, 4>, 2> points_;
+  float margin_;
 };
 
 }  // namespace

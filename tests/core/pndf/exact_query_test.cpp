@@ -62,10 +62,12 @@ std::vector<glm::dvec2> normals_for(const FootprintPndf& pndf, double roughness,
   return all;
 }
 
-void expect_close_to_double(const Case& c, Interpolation interpolation, int count) {
+void expect_close_to_double(const Case& c, Interpolation interpolation, int count, bool shift = false) {
   const Surface surface(c.map, interpolation);
-  const FastExactPndf fast(surface, c.roughness);
-  const ExactPndf exact(surface, c.roughness);
+  ExactSettings settings;
+  settings.vertex_shift = shift;
+  const FastExactPndf fast(surface, c.roughness, settings);
+  const ExactPndf exact(surface, c.roughness, settings);
   PndfWorkspace workspace;
   PndfWorkspace other;
   const FootprintPndf& pndf = fast.at(c.footprint, workspace);
@@ -90,6 +92,10 @@ TEST(ExactQuery, IsThatOfDoublePrecisionOn32Triangles) {
   for (const Case& c : cases()) expect_close_to_double(c, Interpolation::smooth, 8);
 }
 
+TEST(ExactQuery, IsThatOfDoublePrecisionOnShiftedVertices) {
+  for (const Case& c : cases()) expect_close_to_double(c, Interpolation::smooth, 8, true);
+}
+
 TEST(ExactQuery, IsTheSameForEveryInstructionSet) {
   const test::InstructionSetGuard guard;
   const std::vector<Case> all = cases();
@@ -98,6 +104,7 @@ TEST(ExactQuery, IsTheSameForEveryInstructionSet) {
     for (const std::size_t k : {0U, 1U, 5U}) {
       expect_close_to_double(all[k], Interpolation::linear, 16);
       expect_close_to_double(all[k], Interpolation::smooth, 4);
+      expect_close_to_double(all[k], Interpolation::smooth, 4, true);
     }
   }
 }
