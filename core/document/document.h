@@ -14,13 +14,14 @@
 #include "core/image/normal_map_reader.h"
 #include "core/pndf/footprint.h"
 #include "core/pndf/model_factory.h"
+#include "core/surface/flakes.h"
 #include "core/surface/noise.h"
 #include "core/surface/scratches.h"
 #include "core/surface/surface.h"
 
 namespace glint {
 
-enum class SurfaceSource { file, noise, scratches };
+enum class SurfaceSource { file, noise, scratches, flakes };
 
 /// How densities become colours.
 enum class ColorScale { logarithmic, linear };
@@ -34,9 +35,10 @@ struct SurfaceDescription {
   ReadOptions reading;         ///< how the file is read; its wrap holds for generated maps too
   /// None: smooth, or constant where the map is flagged piecewise constant.
   std::optional<Interpolation> interpolation;
-  /// Both generators' size and seed are one field each (surface.generator.size, .seed) and are set together.
+  /// All generators' size and seed are one field each (surface.generator.size, .seed) and are set together.
   NoiseSettings noise;
   ScratchSettings scratches;
+  FlakeSettings flakes;
 
   friend bool operator==(const SurfaceDescription&, const SurfaceDescription&) = default;
 };

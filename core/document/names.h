@@ -19,7 +19,8 @@ template <>
 struct ChoiceNames<SurfaceSource> {
   static constexpr std::array k_table{std::pair{SurfaceSource::file, std::string_view("file")},
                                       std::pair{SurfaceSource::noise, std::string_view("noise")},
-                                      std::pair{SurfaceSource::scratches, std::string_view("scratches")}};
+                                      std::pair{SurfaceSource::scratches, std::string_view("scratches")},
+                                      std::pair{SurfaceSource::flakes, std::string_view("flakes")}};
 };
 
 template <>

@@ -210,6 +210,14 @@ std::optional<Error> scratches_fault(const ScratchSettings& scratches) {
                                                              scratches.size, k_smallest_size));
 }
 
+std::optional<Error> flakes_fault(const FlakeSettings& flakes) {
+  const glm::dvec2 radii = flake_radii(flakes.size);
+  if (flakes.radius >= radii.x && flakes.radius <= radii.y) return std::nullopt;
+  return request_error("surface.generator.radius",
+                       fmt::format("is {}; allowed: from {:.4g} to {} on a map of {} texels a side", flakes.radius,
+                                   radii.x, radii.y, flakes.size));
+}
+
 std::optional<Error> surface_fault(const SurfaceDescription& surface) {
   switch (surface.source) {
     case SurfaceSource::file:
@@ -219,6 +227,8 @@ std::optional<Error> surface_fault(const SurfaceDescription& surface) {
       return noise_fault(surface.noise);
     case SurfaceSource::scratches:
       return scratches_fault(surface.scratches);
+    case SurfaceSource::flakes:
+      return flakes_fault(surface.flakes);
   }
   return std::nullopt;
 }

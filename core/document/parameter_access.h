@@ -119,17 +119,26 @@ constexpr ParameterAccess at() {
           [](Document& document, const ParameterValue& value) { into(member(document), value); }};
 }
 
-// Access to a setting that both generators have: set together, read from the one in use.
+// Access to a setting that all generators have: set together, read from the one in use.
 template <auto setting>
-constexpr ParameterAccess at_both_generators() {
+constexpr ParameterAccess at_all_generators() {
   return {[](const Document& document) {
             const SurfaceDescription& surface = document.surface;
-            return surface.source == SurfaceSource::noise ? out_of(setting(surface.noise))
-                                                          : out_of(setting(surface.scratches));
+            switch (surface.source) {
+              case SurfaceSource::noise:
+                return out_of(setting(surface.noise));
+              case SurfaceSource::flakes:
+                return out_of(setting(surface.flakes));
+              case SurfaceSource::file:
+              case SurfaceSource::scratches:
+                break;
+            }
+            return out_of(setting(surface.scratches));
           },
           [](Document& document, const ParameterValue& value) {
             into(setting(document.surface.noise), value);
             into(setting(document.surface.scratches), value);
+            into(setting(document.surface.flakes), value);
           }};
 }
 

@@ -29,6 +29,9 @@ bool of_band_noise(const Document& document) {
 bool of_scratches(const Document& document) {
   return document.surface.source == SurfaceSource::scratches;
 }
+bool of_flakes(const Document& document) {
+  return document.surface.source == SurfaceSource::flakes;
+}
 
 constexpr std::array<std::string_view, 2> k_shortest_longest{"shortest", "longest"};
 constexpr std::array<std::string_view, 2> k_smallest_largest{"smallest", "largest"};
@@ -38,6 +41,7 @@ constexpr double k_longest_feature = k_largest_map_side;  // texels, on a genera
 
 constexpr std::string_view k_this_tool_reading = "this tool: reading a normal map";
 constexpr std::string_view k_yan14_maps = "Yan et al. 2014, the scratched cutlery";
+constexpr std::string_view k_flakes = "Yan et al. 2016, flakes";
 constexpr std::string_view k_band_noise = "this tool: the isotropic map of the speed tables";
 constexpr std::string_view k_yan14_noise = "Yan et al. 2014, normal maps with a Gaussian power spectrum";
 
@@ -119,7 +123,7 @@ constexpr std::array k_parameters{
               .slider = {32, 4096, true},
               .help = "Width and height of the generated map; a power of two for scratches and for Gaussian noise.",
               .source = k_yan14_maps,
-              .access = at_both_generators<[](auto& g) -> auto& { return g.size; }>(),
+              .access = at_all_generators<[](auto& g) -> auto& { return g.size; }>(),
               .matters = of_generator},
     Parameter{.path = "surface.generator.seed",
               .label = "map seed",
@@ -128,7 +132,7 @@ constexpr std::array k_parameters{
               .integer_range = k_any_seed,
               .help = "Chooses one of all maps of this kind; the same seed gives the same map.",
               .source = "this tool: PCG32 random streams",
-              .access = at_both_generators<[](auto& g) -> auto& { return g.seed; }>(),
+              .access = at_all_generators<[](auto& g) -> auto& { return g.seed; }>(),
               .matters = of_generator},
     Parameter{.path = "surface.generator.spectrum",
               .label = "spectrum",
@@ -266,6 +270,40 @@ constexpr std::array k_parameters{
               .source = k_yan14_maps,
               .access = at<[](auto& d) -> auto& { return d.surface.scratches.dent_rms_slope; }>(),
               .matters = of_scratches},
+    Parameter{.path = "surface.generator.radius",
+              .label = "flake radius",
+              .short_label = "Flake radius",
+              .unit = "texels",
+              .kind = ParameterKind::number,
+              .range = {1, k_longest_feature / 4},
+              .slider = {1, 64, true},
+              .help = "The Poisson-disk radius: the least distance between the centres of two flakes; at most a "
+                      "quarter of the map's size.",
+              .source = k_flakes,
+              .access = at<[](auto& d) -> auto& { return d.surface.flakes.radius; }>(),
+              .matters = of_flakes},
+    Parameter{.path = "surface.generator.alpha",
+              .label = "Beckmann alpha",
+              .short_label = "Beckmann α",
+              .symbol = "alpha",
+              .kind = ParameterKind::number,
+              .range = {0, 10},
+              .slider = {0, 1.5},
+              .help = "How far flakes are turned: the Beckmann roughness of their slopes, whose variance is alpha² / 2 "
+                      "per axis; 0 is level.",
+              .source = "Walter et al. 2007, Beckmann distribution",
+              .access = at<[](auto& d) -> auto& { return d.surface.flakes.alpha; }>(),
+              .matters = of_flakes},
+    Parameter{.path = "surface.generator.flat_share",
+              .label = "flat share",
+              .short_label = "Flat share",
+              .kind = ParameterKind::number,
+              .range = {0, 1},
+              .slider = {0, 1},
+              .help = "The share of flakes that lie level.",
+              .source = "this tool: flakes",
+              .access = at<[](auto& d) -> auto& { return d.surface.flakes.flat_share; }>(),
+              .matters = of_flakes},
 };
 
 }  // namespace

@@ -23,6 +23,19 @@ Surface surface_over(NormalMap map, std::optional<Interpolation> interpolation) 
   return {std::make_shared<const NormalMap>(std::move(map)), interpolation.value_or(natural)};
 }
 
+Result<NormalMap> generated_map(const SurfaceDescription& description, JobControl& control) {
+  switch (description.source) {
+    case SurfaceSource::noise:
+      return generate_noise(description.noise, control);
+    case SurfaceSource::flakes:
+      return generate_flakes(description.flakes, control);
+    case SurfaceSource::file:
+    case SurfaceSource::scratches:
+      break;
+  }
+  return generate_scratches(description.scratches, control);
+}
+
 ModelSettings settings_of(const Document& document) {
   ModelSettings settings;
   settings.exact.vertex_shift = document.exact_vertex_shift;
@@ -43,9 +56,7 @@ Result<LoadedSurface> load_surface(const SurfaceDescription& description, JobCon
     return LoadedSurface{surface_over(std::move(read->map), description.interpolation), std::move(read->report),
                          stored};
   }
-  Result<NormalMap> generated = description.source == SurfaceSource::noise
-                                    ? generate_noise(description.noise, control)
-                                    : generate_scratches(description.scratches, control);
+  Result<NormalMap> generated = generated_map(description, control);
   if (!generated) return generated.error();
   NormalMap map = with_wrap(std::move(*generated), description.reading.wrap);
   return LoadedSurface{surface_over(std::move(map), description.interpolation), std::nullopt};

@@ -26,6 +26,9 @@ enum class RandomPurpose : std::uint64_t {
   scratch_half_widths = 7,
   scratch_flank_slopes = 8,
   scratch_directions = 9,
+  flake_centers = 10,
+  flake_slopes = 11,
+  flake_flatness = 12,
 };
 
 /// Stream number `index` (below 2^32) of a purpose.

@@ -50,6 +50,9 @@ class GenerateCommand final : public Command {
     app_.require_subcommand(1);
     add_kind(SurfaceSource::noise, "An isotropic random surface from its spectrum.");
     add_kind(SurfaceSource::scratches, "Scratched metal: engraved lines over gentle dents.");
+    add_kind(SurfaceSource::flakes,
+             "Metallic paint: flat flakes that do not overlap, one normal each. Files do not say that nothing is to be "
+             "interpolated between their texels: read one with --surface constant.");
   }
 
   [[nodiscard]] bool chosen() const override { return app_.parsed(); }

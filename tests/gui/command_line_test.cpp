@@ -36,6 +36,7 @@ TEST(CommandLine, HelpStandsOnEveryLevel) {
                                                 {"study", "--help"},
                                                 {"generate", "noise", "--help"},
                                                 {"generate", "scratches", "--help"},
+                                                {"generate", "flakes", "--help"},
                                                 {"presets", "show", "--help"}}) {
     const ProgramRun run = run_glintscope(words);
     EXPECT_EQ(run.status, 0) << words.front();
@@ -60,7 +61,7 @@ TEST(CommandLine, WordsThatAreOffEndWithStatusTwoAndOneSentence) {
       {{"nonsense"}, "nonsense"},
       {{"pndf", "--nonsense"}, "--nonsense"},
       {{"pndf", "--map", "a.png", "--preset", "b"}, "--preset"},
-      {{"pndf", "--preset", "nope"}, "known: flat-oracle, isotropic-noise, scratched-steel"},
+      {{"pndf", "--preset", "nope"}, "known: car-paint-flakes, flat-oracle, isotropic-noise, scratched-steel"},
       {{"pndf", "--preset", "flat-oracle", "--sigma-r", "-1"}, "--sigma-r"},
       {{"pndf", "--preset", "flat-oracle", "--sigma-r", "0"}, "allowed: a number from 1e-09 to 1"},
       {{"pndf", "--preset", "flat-oracle", "--sigma-r", "1.5"}, "from 1e-09 to 1"},
@@ -105,6 +106,8 @@ TEST(CommandLine, WordsThatAreOffEndWithStatusTwoAndOneSentence) {
       {{"generate", "noise", "-o", "a.exr", "--wavelengths", "32,8"}, "--wavelengths"},
       {{"generate", "noise", "-o", "a.exr", "--spectrum", "band", "--correlation-length", "8"}, "--correlation-length"},
       {{"generate", "scratches", "-o", "a.exr", "--count", "-1"}, "--count"},
+      {{"generate", "flakes", "-o", "a.exr", "--alpha", "-1"}, "--alpha"},
+      {{"generate", "flakes", "-o", "a.exr", "--size", "16"}, "--radius"},
       {{"presets", "show", "nope"}, "known:"},
   };
   for (const BadWords& bad : cases) {
@@ -138,7 +141,7 @@ TEST(CommandLine, WhatAFileHoldsEndsWithStatusOne) {
 TEST(CommandLine, ShippedPresetsAreListedShownAndRight) {
   const ProgramRun list = run_glintscope({"presets", "list"});
   EXPECT_EQ(list.status, 0);
-  for (const std::string name : {"flat-oracle", "isotropic-noise", "scratched-steel"}) {
+  for (const std::string name : {"car-paint-flakes", "flat-oracle", "isotropic-noise", "scratched-steel"}) {
     EXPECT_THAT(list.out, HasSubstr(name));
     const ProgramRun show = run_glintscope({"presets", "show", name});
     EXPECT_EQ(show.status, 0);
@@ -153,7 +156,7 @@ TEST(CommandLine, GenerateIsRepeatableAndSeeded) {
   const auto generate = [&](const char* name, const char* seed, const char* kind) {
     return run_glintscope({"generate", kind, "--size", "64", "--seed", seed, "-o", folder / name, "--quiet"});
   };
-  for (const char* kind : {"noise", "scratches"}) {
+  for (const char* kind : {"noise", "scratches", "flakes"}) {
     EXPECT_EQ(generate("a.exr", "3", kind).status, 0);
     EXPECT_EQ(generate("b.exr", "3", kind).err, "");
     generate("c.exr", "4", kind);

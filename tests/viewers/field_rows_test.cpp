@@ -45,7 +45,9 @@ std::vector<Document> documents_of_all_kinds() {
   gaussian.surface.noise.spectrum = NoiseSettings::Spectrum::gaussian;
   Document band = gaussian;
   band.surface.noise.spectrum = NoiseSettings::Spectrum::band;
-  return {scratches, file, gaussian, band};
+  Document flakes = scratches;
+  flakes.surface.source = SurfaceSource::flakes;
+  return {scratches, file, gaussian, band, flakes};
 }
 
 TEST(Controls, ExistForEveryParameterUnderNamesOfTheirOwn) {
@@ -276,6 +278,17 @@ TEST(Choices, TakeTheFieldsAlongThatStandAgainstThem) {
   ASSERT_TRUE(edit) << edit.error().sentence;
   EXPECT_EQ(edit->document.surface.scratches.size, 1024);
   EXPECT_EQ(edit->label, "Source to scratches");
+}
+
+TEST(Choices, TakeTheRadiusOfFlakesAlong) {
+  Document noise = documents_of_all_kinds()[3];
+  ASSERT_TRUE(field("surface.generator.size").set(noise, std::uint64_t{16}));
+  noise.surface.noise.wavelengths = {4, 8};
+  ASSERT_FALSE(document_fault(noise));
+  const auto edit = view::proposed_choice(noise, field("surface.source"), "flakes");
+  ASSERT_TRUE(edit) << edit.error().sentence;
+  EXPECT_EQ(edit->document.surface.flakes.size, 16);
+  EXPECT_EQ(edit->document.surface.flakes.radius, 4);
 }
 
 TEST(Choices, AskForAFileWhereNoneIsNamed) {  // a default document has no path

@@ -53,14 +53,18 @@ std::uint64_t nearest_power_of_two(double value) {
 void fit(Document& document, const Error& fault) {
   NoiseSettings& noise = document.surface.noise;
   ScratchSettings& scratches = document.surface.scratches;
+  FlakeSettings& flakes = document.surface.flakes;
   if (fault.subject == "surface.generator.size") {
     const int size = document.surface.source == SurfaceSource::noise ? noise.size : scratches.size;
-    noise.size = scratches.size = std::max(32, static_cast<int>(nearest_power_of_two(size)));
+    noise.size = scratches.size = flakes.size = std::max(32, static_cast<int>(nearest_power_of_two(size)));
   } else if (fault.subject == "surface.generator.correlation_length") {
     noise.correlation_length = noise.size / 4.0;
   } else if (fault.subject == "surface.generator.wavelengths") {
     noise.wavelengths.y = std::min<double>(noise.wavelengths.y, noise.size);
     noise.wavelengths.x = std::min(noise.wavelengths.x, noise.wavelengths.y);
+  } else if (fault.subject == "surface.generator.radius") {
+    const glm::dvec2 radii = flake_radii(flakes.size);
+    flakes.radius = std::clamp(flakes.radius, radii.x, radii.y);
   }
 }
 

@@ -120,9 +120,8 @@ std::string map_summary(const InspectorInput& input, bool open) {
   if (is_file(input.document)) {
     return fmt::format("green {}, {}", choice_name(surface.reading.green), choice_name(surface.reading.wrap));
   }
-  const bool noise = surface.source == SurfaceSource::noise;
-  return fmt::format("{} texels, seed {}", noise ? surface.noise.size : surface.scratches.size,
-                     noise ? surface.noise.seed : surface.scratches.seed);
+  return fmt::format("{} texels, seed {}", value_text(field("surface.generator.size").get(input.document)),
+                     value_text(field("surface.generator.seed").get(input.document)));
 }
 
 float map_height(const InspectorInput& input, bool /*compact*/) {

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/surface/flakes.h"
 #include "core/surface/noise.h"
 #include "core/surface/scratches.h"
 #include "tests/core/document/example.h"
@@ -42,6 +43,7 @@ TEST(Parameters, AreTheFieldsThatTheDesignNames) {
                   "surface.generator.wavelengths", "surface.generator.count", "surface.generator.length",
                   "surface.generator.half_width", "surface.generator.flank_slope", "surface.generator.direction",
                   "surface.generator.spread", "surface.generator.blur", "surface.generator.dent_rms_slope",
+                  "surface.generator.radius", "surface.generator.alpha", "surface.generator.flat_share",
                   "footprint.center", "footprint.covariance", "intrinsic_roughness", "methods", "exact.vertex_shift",
                   "exact.precision", "mixture.step", "mixture.kappa", "mixture.elements", "auto.tolerance",
                   "binning.samples", "grid.size", "grid.window", "seed", "view.density_scale", "view.density_range",
@@ -125,14 +127,18 @@ TEST(Parameters, ReachTheMembersTheyName) {
   EXPECT_EQ(document.surface.interpolation, Interpolation::constant);
   EXPECT_EQ(document.surface.noise.size, 512);
   EXPECT_EQ(document.surface.scratches.size, 512);
+  EXPECT_EQ(document.surface.flakes.size, 512);
   EXPECT_EQ(document.surface.noise.seed, UINT64_MAX);
   EXPECT_EQ(document.surface.scratches.seed, UINT64_MAX);
+  EXPECT_EQ(document.surface.flakes.seed, UINT64_MAX);
   EXPECT_EQ(document.surface.noise.spectrum, NoiseSettings::Spectrum::gaussian);
   EXPECT_EQ(document.surface.noise.wavelengths, glm::dvec2(2.2, 64.7));
   EXPECT_EQ(document.surface.scratches.length, glm::dvec2(33.3, 444.4));
+  EXPECT_EQ(document.surface.flakes, (FlakeSettings{512, UINT64_MAX, 7.7, 1.41, 0.25}));
   EXPECT_EQ(document.footprint.center, glm::dvec2(-123456.789, 1e-5));
   EXPECT_EQ(document.footprint.covariance, (SymmetricMatrix2{1e9, -0.3, 2.0 / 3.0}));
-  EXPECT_EQ(document.methods, (std::vector{PndfMethod::binning, PndfMethod::mixture, PndfMethod::exact}));
+  EXPECT_EQ(document.methods,
+            (std::vector{PndfMethod::binning, PndfMethod::mixture, PndfMethod::automatic, PndfMethod::exact}));
   EXPECT_EQ(document.grid.window, glm::dvec4(-1, -0.1, 0.30000000000000004, 1.5));
   EXPECT_EQ(document.seed, 9007199254740993U);
   EXPECT_TRUE(document.exact_vertex_shift);
@@ -276,6 +282,10 @@ TEST(Parameters, KnowWhenTheyMatter) {
   document.surface.source = SurfaceSource::noise;
   EXPECT_TRUE(parameter("surface.generator.wavelengths").matters(document));
   EXPECT_FALSE(parameter("surface.generator.correlation_length").matters(document));
+  document.surface.source = SurfaceSource::flakes;
+  EXPECT_TRUE(parameter("surface.generator.radius").matters(document));
+  EXPECT_TRUE(parameter("surface.generator.size").matters(document));
+  EXPECT_FALSE(parameter("surface.generator.count").matters(document));
   document.surface.source = SurfaceSource::file;
   EXPECT_TRUE(parameter("surface.height_scale").matters(document));
   EXPECT_FALSE(parameter("surface.generator.size").matters(document));
@@ -343,6 +353,23 @@ TEST(DocumentFault, AgreesWithTheGenerators) {
   for (const double x : {-0.1, 0.0, 90.0, 90.1}) scratches([&](auto& s) { s.spread = x; });
   for (const double x : {-0.1, 0.0, 16.0, 16.1}) scratches([&](auto& s) { s.blur = x; });
   for (const double x : {-0.1, 0.0, 10.0, 10.1}) scratches([&](auto& s) { s.dent_rms_slope = x; });
+
+  const auto flakes = [](auto change) {
+    Document document;
+    document.surface.source = SurfaceSource::flakes;
+    change(document.surface.flakes);
+    expect_same_verdict(document.surface.flakes, document, generate_flakes);
+  };
+  for (const int size : {-1, 0, 7, 8, 23, 24, 1000, 16384, 16385}) flakes([&](auto& f) { f.size = size; });
+  for (const double x : {0.0, below_1, 1.0, 256.0, 256.1, 5000.0}) flakes([&](auto& f) { f.radius = x; });
+  for (const double x : {5.5, 5.7, 4096.0}) {
+    flakes([&](auto& f) {
+      f.size = 16384;
+      f.radius = x;
+    });
+  }
+  for (const double x : {-0.1, 0.0, 10.0, 10.1}) flakes([&](auto& f) { f.alpha = x; });
+  for (const double x : {-0.1, 0.0, 1.0, 1.1}) flakes([&](auto& f) { f.flat_share = x; });
 
   for (const auto spectrum : {NoiseSettings::Spectrum::band, NoiseSettings::Spectrum::gaussian}) {
     const auto noise = [&](auto change) {

@@ -28,7 +28,8 @@ std::vector<std::string> names_of(const std::vector<PresetEntry>& entries) {
 
 TEST(ShippedPresets, LoadWithoutAFaultUnderTheirOwnName) {
   const std::vector<PresetEntry> entries = list_presets(std::vector{k_shipped});
-  EXPECT_THAT(names_of(entries), testing::IsSupersetOf({"scratched-steel", "isotropic-noise", "flat-oracle"}));
+  EXPECT_THAT(names_of(entries),
+              testing::IsSupersetOf({"car-paint-flakes", "flat-oracle", "isotropic-noise", "scratched-steel"}));
   for (const PresetEntry& entry : entries) {
     const Result<Document> document = load_preset(entry.file);
     ASSERT_TRUE(document) << document.error().message();
@@ -41,7 +42,8 @@ TEST(ShippedPresets, HoldWhatTheirNamesPromise) {
   const Result<Document> steel = load_preset(k_shipped / "scratched-steel.json");
   const Result<Document> noise = load_preset(k_shipped / "isotropic-noise.json");
   const Result<Document> flat = load_preset(k_shipped / "flat-oracle.json");
-  ASSERT_TRUE(steel && noise && flat);
+  const Result<Document> paint = load_preset(k_shipped / "car-paint-flakes.json");
+  ASSERT_TRUE(steel && noise && flat && paint);
   EXPECT_EQ(steel->surface.source, SurfaceSource::scratches);
   EXPECT_EQ(steel->methods, (std::vector{PndfMethod::exact, PndfMethod::mixture, PndfMethod::binning}));
   EXPECT_EQ(noise->surface.noise.spectrum, NoiseSettings::Spectrum::band);
@@ -51,6 +53,9 @@ TEST(ShippedPresets, HoldWhatTheirNamesPromise) {
   EXPECT_EQ(noise->footprint, isotropic_footprint({512.5, 512.5}, 50.0 / 6.0));
   EXPECT_EQ(flat->surface.noise.rms_slope, 0);
   EXPECT_EQ(flat->intrinsic_roughness, 0.05);
+  EXPECT_EQ(paint->surface.source, SurfaceSource::flakes);
+  EXPECT_EQ(paint->surface.flakes, FlakeSettings());
+  EXPECT_EQ(paint->methods, steel->methods);
 }
 
 TEST(ShippedPresets, HaveTheSchemaOfTheDeclarations) {

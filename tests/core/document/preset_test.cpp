@@ -83,7 +83,7 @@ TEST(Preset, KeepsEachFieldAlone) {
     SCOPED_TRACE(p.path);
     Document document;
     document.surface.path = "map.png";  // so that any source will do
-    document.surface.scratches.size = document.surface.noise.size = 1024;
+    document.surface.scratches.size = document.surface.noise.size = document.surface.flakes.size = 1024;
     ASSERT_TRUE(p.set(document, test::other_value(p)));
     EXPECT_TRUE(parsed(preset_text(document)) == document) << preset_text(document);
     EXPECT_EQ(p.get(parsed(preset_text(document))), test::other_value(p));
@@ -182,7 +182,8 @@ TEST(Recipe, KeepsEveryFieldThatMatters) {
     return document;
   };
   std::size_t kept = 0;
-  for (const auto source : {SurfaceSource::file, SurfaceSource::noise, SurfaceSource::scratches}) {
+  for (const auto source :
+       {SurfaceSource::file, SurfaceSource::noise, SurfaceSource::scratches, SurfaceSource::flakes}) {
     for (const auto spectrum : {NoiseSettings::Spectrum::band, NoiseSettings::Spectrum::gaussian}) {
       const Document document = in_use(source, spectrum);
       const Result<Document> back = document_from_recipe(recipe_of(document), "recipe");
@@ -195,7 +196,8 @@ TEST(Recipe, KeepsEveryFieldThatMatters) {
       }
     }
   }
-  EXPECT_EQ(kept, 6U * 15U + 2U * 4U + 4U * 2U + 2U * 3U + 2U * 8U);  // always, file, any generator, noise, scratches
+  // Always, file, any generator, noise, scratches, flakes.
+  EXPECT_EQ(kept, 8U * 16U + 2U * 4U + 6U * 2U + 2U * 3U + 2U * 8U + 2U * 3U);
 }
 
 TEST(Recipe, EqualDocumentsGiveEqualBytes) {
