@@ -46,7 +46,7 @@ struct Layout {
 };
 
 float name_width(const Ui& ui, PndfMethod method) {
-  return std::ceil(text_size(ui.fonts.text, capitalised(choice_name(method))).x) + ui.px(7);
+  return std::ceil(text_size(ui.fonts.text, method_title(method)).x) + ui.px(7);
 }
 
 float frame_width(const Ui& ui, const Layout& layout) {
@@ -148,7 +148,7 @@ void draw_time(Ui& ui, Pen& pen, const Layout& layout, const StatusTime& time) {
   const float left = pen.x;
   view::draw_mark(*ImGui::GetWindowDrawList(), time.method, {pen.x + ui.px(5), pen.middle}, ui.px(4));
   pen.x += ui.px(15);
-  const std::string name = capitalised(choice_name(time.method));
+  const std::string name(method_title(time.method));
   if (layout.names) {
     pen.text(ui.fonts.text, color::k_text_2, name);
     pen.x = left + ui.px(15) + name_width(ui, time.method);

@@ -11,6 +11,7 @@
 
 #include "core/document/names.h"
 #include "viewers/pndf/color_bar.h"
+#include "viewers/pndf/method_setting.h"
 #include "viewers/pndf/pndf_columns.h"
 #include "viewers/pndf/pndf_crosshair.h"
 #include "viewers/pndf/pndf_layout.h"
@@ -31,52 +32,9 @@ constexpr std::string_view k_panel_help =
     "it; "
     "the wheel zooms, the right button drags, a double click changes between the whole disk and the lobe.";
 
-const MethodPicture* picture_of(const PndfResults* results, PndfMethod method) {
-  if (results == nullptr) return nullptr;
-  const auto same = [&](const MethodPicture& picture) { return picture.method == method; };
-  const auto found = std::find_if(results->methods.begin(), results->methods.end(), same);
-  return found == results->methods.end() ? nullptr : &*found;
-}
-
 glm::dvec4 shown_window(const PndfInput& input) {
   if (input.document.grid.window) return *input.document.grid.window;
   return input.results ? window_of(input.results->grid) : k_whole_disk;
-}
-
-std::string surface_name(const PndfResults* results) {
-  if (results == nullptr || !results->surface) return "document's";
-  switch (results->surface->loaded.surface.interpolation()) {
-    case Interpolation::linear:
-      return "linear";
-    case Interpolation::constant:
-      return "constant";
-    case Interpolation::smooth:
-      break;
-  }
-  return "smooth";
-}
-
-std::string setting_text(const PndfInput& input, PndfMethod method, bool compact) {
-  if (method == PndfMethod::binning) return count_text(input.document.binning_samples) + (compact ? "" : " samples");
-  if (method == PndfMethod::mixture) {
-    const MixtureSettings& mixture = input.document.mixture;
-    const std::string step = "h " + short_number_text(mixture.step, 3);
-    const bool plain = mixture.elements == MixtureElements::corrected || compact;
-    return plain ? step : step + ", " + std::string(choice_name(mixture.elements));
-  }
-  if (method == PndfMethod::automatic) {
-    const MethodPicture* picture = picture_of(input.results.get(), method);
-    const bool answered = picture != nullptr && picture->image && !picture->image->answer.text.empty();
-    if (answered) return picture->image->answer.text;
-    return "within " + short_number_text(100 * input.document.automatic.tolerance, 3) + " %";
-  }
-  if (method == PndfMethod::lean) return compact ? "" : "one Gaussian over slopes";
-  const std::string surface = surface_name(input.results.get());
-  const bool in_double = input.document.exact_precision == ExactPrecision::double_precision;
-  const std::string more = in_double && !compact ? ", double" : "";
-  if (surface == "linear") return "2 triangles" + more;
-  if (surface == "constant") return "constant" + more;
-  return (input.document.exact_vertex_shift ? "32 triangles, shifted" : "32 triangles") + more;
 }
 
 // Minuend and subtrahend of the difference: a method less exact, else the second less the first.
@@ -234,7 +192,7 @@ MethodColumn PndfView::State::method_column(Ui& ui, const PndfInput& input, cons
                                             PndfMethod method) {
   MethodColumn column;
   column.method = method;
-  column.setting = setting_text(input, method, layout.compact());
+  column.setting = setting_text(input.document, input.results.get(), method, layout.compact());
   column.picture = picture_of(input.results.get(), method);
   column.surface = choice_name(column.picture != nullptr ? column.picture->surface : Interpolation::smooth);
   column.state.nothing = input.nothing_because;
