@@ -78,6 +78,22 @@ std::unique_ptr<PndfModel> make_document_model(const Document& document, PndfMet
   return make_model(method, surface, document.intrinsic_roughness, settings);
 }
 
+std::vector<MixtureFinding> document_findings(const Document& document, PndfMethod method, const Surface& surface) {
+  if (method != PndfMethod::mixture) return {};
+  return mixture_findings(surface, document.intrinsic_roughness, document.mixture, document.footprint);
+}
+
+std::vector<std::string> unreported_sentences(const std::vector<MixtureFinding>& findings,
+                                              const std::optional<ReadReport>& report, double intrinsic_roughness) {
+  const bool steps_reported = report && quantisation_note(*report, intrinsic_roughness);
+  std::vector<std::string> sentences;
+  for (const MixtureFinding& finding : findings) {
+    if (steps_reported && finding.kind == MixtureFinding::Kind::value_step) continue;
+    sentences.push_back(finding.sentence);
+  }
+  return sentences;
+}
+
 std::unique_ptr<PndfModel> make_coarse_model(const Document& document, PndfMethod method, const Surface& surface) {
   ModelSettings settings = settings_of(document);
   // No vertex shift: on cells of a whole texel its bound is so wide that hardly any cell is left out.

@@ -4,12 +4,15 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "core/document/document.h"
 #include "core/image/normal_map_reader.h"
 #include "core/image/stored_samples.h"
 #include "core/math/parallel.h"
 #include "core/math/result.h"
+#include "core/pndf/mixture_advice.h"
 #include "core/pndf/pndf_grid.h"
 #include "core/pndf/pndf_model.h"
 #include "core/surface/surface.h"
@@ -37,6 +40,13 @@ std::optional<Error> footprint_position_fault(const Footprint& footprint, const 
 /// one.
 std::unique_ptr<PndfModel> make_document_model(const Document& document, PndfMethod method, const Surface& surface,
                                                std::shared_ptr<const MixtureAtlas> atlas = nullptr);
+
+/// What is to be said of one of the document's methods on that surface: of the mixture, nothing of others.
+std::vector<MixtureFinding> document_findings(const Document& document, PndfMethod method, const Surface& surface);
+
+/// The sentences of those findings that the report of the map's file does not already make (quantisation_note).
+std::vector<std::string> unreported_sentences(const std::vector<MixtureFinding>& findings,
+                                              const std::optional<ReadReport>& report, double intrinsic_roughness);
 
 /// A cheap model of the same method, for a first picture while the document's own is computed: exact with 2 triangles a
 /// texel on the smooth surface and a joint cut that loses 1e-3 of the mass, binning with at most 100 000 samples, the

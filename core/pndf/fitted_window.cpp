@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "core/math/gaussian.h"
@@ -13,14 +12,6 @@ namespace {
 
 constexpr int k_positions = 16384;
 constexpr double k_roughness_margin = 4.5;
-
-// Evenly spread standard normal points: Vogel's spiral with the radii of a 2D Gaussian.
-glm::dvec2 spread_deviate(int k) {
-  const double share = (k + 0.5) / k_positions;
-  const double radius = std::sqrt(-2 * std::log1p(-share));
-  const double angle = k * std::numbers::pi * (3 - std::sqrt(5.0));
-  return {radius * std::cos(angle), radius * std::sin(angle)};
-}
 
 struct Range {
   double lo;
@@ -50,7 +41,7 @@ PndfGrid fitted_window(const Surface& surface, const Footprint& footprint, doubl
   std::vector<double> s(k_positions);
   std::vector<double> t(k_positions);
   for (int k = 0; k < k_positions; ++k) {
-    const glm::dvec2 normal = surface.normal(center + factor.apply(spread_deviate(k)));
+    const glm::dvec2 normal = surface.normal(center + factor.apply(spread_deviate(k, k_positions)));
     s[static_cast<std::size_t>(k)] = normal.x;
     t[static_cast<std::size_t>(k)] = normal.y;
   }

@@ -1,6 +1,7 @@
 #include "core/pndf/footprint.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace glint {
 namespace {
@@ -9,6 +10,13 @@ constexpr double k_largest_deviation = 1e5;  // texels
 
 Footprint isotropic_footprint(glm::dvec2 center, double radius) {
   return {center, {radius * radius, 0, radius * radius}};
+}
+
+glm::dvec2 spread_deviate(int k, int count) {
+  const double share = (k + 0.5) / count;
+  const double radius = std::sqrt(-2 * std::log1p(-share));
+  const double angle = k * std::numbers::pi * (3 - std::sqrt(5.0));
+  return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
 std::optional<std::string> footprint_fault(const Footprint& footprint) {

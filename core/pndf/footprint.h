@@ -20,6 +20,9 @@ struct Footprint {
 /// sigma = radius texels in every direction.
 Footprint isotropic_footprint(glm::dvec2 center, double radius);
 
+/// The k-th of `count` evenly spread standard normal points: Vogel's spiral with the radii of a 2D Gaussian.
+glm::dvec2 spread_deviate(int k, int count);
+
 /// What is wrong with it, as half a sentence, or nothing: finite, positive definite, deviations at most 10^5 texels.
 std::optional<std::string> footprint_fault(const Footprint& footprint);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -73,6 +75,38 @@ SeamRatios seam_ratios_of(int width, int height, Jump jump) {
   return {ratio(edge_across, inner_across), ratio(edge_down, inner_down)};
 }
 
+// An odd whole number, but for rounding: what 2 k - 255 is.
+bool is_odd(double x, double tolerance) {
+  return std::abs(x - (2 * std::floor(0.5 * x) + 1)) < tolerance;
+}
+
+// Whether n is some vector of odd numbers over `levels`, x and y alone or with z and then normalised.
+bool is_of_levels(glm::dvec2 n, int levels) {
+  const bool few = levels < 256;
+  const double tolerance = few ? 1e-3 : 2e-2;  // floats, times the levels
+  if (is_odd(n.x * levels, tolerance) && is_odd(n.y * levels, tolerance)) return true;
+  const double z = std::sqrt(std::max(0.0, 1 - n.x * n.x - n.y * n.y)) * levels;
+  if (z < 0.1 * levels) return false;
+  // Of 8 bits any length from 0.5 to 1.5; of 16 only such as rounding leaves, or there would be too many to tell.
+  const double least = few ? 0.5 * z : z - 4;
+  const double greatest = std::min<double>(levels, few ? 1.5 * z : z + 4);
+  for (double blue = 2 * std::floor(0.5 * least) + 1; blue <= greatest; blue += 2) {
+    const double length = blue / z * levels;
+    if (is_odd(n.x * length, tolerance) && is_odd(n.y * length, tolerance)) return true;
+  }
+  return false;
+}
+
+bool is_of_levels(std::span<const glm::vec2> normals, int levels) {
+  constexpr std::size_t k_few = 16;  // after which it mostly is clear
+  std::size_t fitting = 0;
+  for (std::size_t k = 0; k < normals.size(); ++k) {
+    if (k == k_few && fitting < k_few / 2) return false;
+    fitting += is_of_levels(glm::dvec2(normals[k]), levels) ? 1 : 0;
+  }
+  return 10 * fitting >= 9 * normals.size();  // some may have been repaired
+}
+
 }  // namespace
 
 std::optional<double> curl_ratio(const NormalMap& map) {
@@ -118,6 +152,50 @@ SeamRatios seam_ratios(std::span<const float> heights, int width, int height) {
   return seam_ratios_of(width, height, [&](std::size_t a, std::size_t b) {
     return std::abs(static_cast<double>(heights[a]) - static_cast<double>(heights[b]));
   });
+}
+
+double value_step(const NormalMap& map) {
+  constexpr std::size_t k_most_texels = 256;
+  const std::vector<glm::vec2>& normals = map.normals();
+  const std::size_t count = std::min(normals.size(), k_most_texels);
+  std::vector<glm::vec2> sample;
+  sample.reserve(count);
+  const double spacing = static_cast<double>(normals.size()) / static_cast<double>(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    // Shifted by shares of the golden ratio, or all would stand in one column.
+    const double shift = std::fmod(0.618033988749895 * static_cast<double>(k), 1.0);
+    sample.push_back(normals[static_cast<std::size_t>((static_cast<double>(k) + shift) * spacing)]);
+  }
+  const auto differs = [&](const glm::vec2& n) { return n != sample.front(); };
+  if (std::none_of(sample.begin(), sample.end(), differs)) return 0;
+  if (is_of_levels(sample, 255)) return k_step_of_8_bits;
+  return is_of_levels(sample, 65535) ? k_step_of_16_bits : 0;
+}
+
+bool is_flat_in_pieces(const NormalMap& map, std::span<const glm::dvec2> positions) {
+  constexpr double k_least_jump = 3 * k_step_of_8_bits;
+  std::size_t pairs = 0;
+  std::size_t equal = 0;
+  std::size_t jumps = 0;
+  const auto look = [&](std::int64_t i, std::int64_t j, std::int64_t across, std::int64_t down) {
+    const auto along = [&](std::int64_t k) { return map.texel(i + k * across, j + k * down); };
+    ++pairs;
+    const glm::vec2 here = along(0);
+    const glm::vec2 next = along(1);
+    if (here == next) {
+      ++equal;
+      return;
+    }
+    const double jump = std::max(std::abs(next.x - here.x), std::abs(next.y - here.y));
+    jumps += jump > k_least_jump && along(-1) == here && next == along(2) ? 1 : 0;
+  };
+  for (const glm::dvec2& u : positions) {
+    const auto i = static_cast<std::int64_t>(std::floor(u.x));
+    const auto j = static_cast<std::int64_t>(std::floor(u.y));
+    look(i, j, 1, 0);
+    look(i, j, 0, 1);
+  }
+  return jumps > 0 && 2 * equal >= pairs && 2 * jumps >= pairs - equal;
 }
 
 }  // namespace glint

@@ -5,6 +5,8 @@
 #include <optional>
 #include <span>
 
+#include <glm/vec2.hpp>
+
 #include "core/surface/normal_map.h"
 
 namespace glint {
@@ -31,5 +33,18 @@ SeamRatios seam_ratios(std::span<const float> heights, int width, int height);
 
 /// A seam ratio above this is a seam that shows.
 inline constexpr double k_clear_seam_ratio = 3;
+
+inline constexpr double k_step_of_8_bits = 2.0 / 255;
+inline constexpr double k_step_of_16_bits = 2.0 / 65535;
+
+/// The step of the integers that the map was stored as, found in the values themselves: s and t, or three components of
+/// some length before it was normalised, are all of (2 k - 255) / 255, or of its like in 16 bits. 0 where they are not,
+/// or do not vary; looks at 256 texels.
+double value_step(const NormalMap& map);
+
+/// Whether the map about these positions (texels) is made of flat pieces with jumps between: at least half of all
+/// neighbours are equal, and at least half of the others jump, by more than three steps of 8 bits, from one pair of
+/// equal ones to another.
+bool is_flat_in_pieces(const NormalMap& map, std::span<const glm::dvec2> positions);
 
 }  // namespace glint

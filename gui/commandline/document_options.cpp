@@ -313,6 +313,19 @@ Result<LoadedSurface> prepare_surface(const DocumentOptions& options, Document& 
   return loaded;
 }
 
+std::vector<std::string> say_findings(const DocumentOptions& options, const Document& document,
+                                      const LoadedSurface& loaded) {
+  std::vector<std::string> sentences;
+  for (const PndfMethod method : document.methods) {
+    const std::vector<MixtureFinding> findings = document_findings(document, method, loaded.surface);
+    for (const std::string& said : unreported_sentences(findings, loaded.report, document.intrinsic_roughness)) {
+      print_message(options.quiet(), fmt::format("{}: {}", choice_name(method), said));
+    }
+    for (const MixtureFinding& finding : findings) sentences.push_back(finding.sentence);
+  }
+  return sentences;
+}
+
 Status check_output(const std::string& output, const std::vector<std::filesystem::path>& inputs,
                     const std::vector<std::string>& extensions) {
   const std::filesystem::path path(output);
@@ -339,4 +352,3 @@ std::filesystem::path executable_path() {
 }
 
 }  // namespace glint::gui
-#include "core/math/instruction_set.h"

@@ -95,6 +95,11 @@ class DocumentOptions {
 /// The surface of the document, its reader's notes printed; places an open footprint and checks its position.
 Result<LoadedSurface> prepare_surface(const DocumentOptions& options, Document& document, JobControl& control);
 
+/// What is to be said of the document's mixture, if it has one: said, but for what the file's reader already did, and
+/// returned.
+std::vector<std::string> say_findings(const DocumentOptions& options, const Document& document,
+                                      const LoadedSurface& loaded);
+
 /// Fails for an output that is one of the inputs, has none of the extensions or cannot be written.
 Status check_output(const std::string& output, const std::vector<std::filesystem::path>& inputs,
                     const std::vector<std::string>& extensions);

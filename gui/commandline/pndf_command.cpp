@@ -78,6 +78,7 @@ class PndfCommand final : public Command {
     if (!queries) return queries.error();
     Result<LoadedSurface> loaded = prepare_surface(options_, *document, control);
     if (!loaded) return loaded.error();
+    findings_ = say_findings(options_, *document, *loaded);
     return !queries_.given() ? make_images(*document, loaded->surface, control)
                              : answer(*document, loaded->surface, *queries, control);
   }
@@ -105,7 +106,11 @@ class PndfCommand final : public Command {
     }
     if (options_.json()) {
       Json results = Json::array();
-      for (const MethodValues& a : answers) results.push_back({{"method", name_of(a.method)}, {"values", a.values}});
+      for (const MethodValues& a : answers) {
+        Json result = {{"method", name_of(a.method)}, {"values", a.values}};
+        if (a.method == PndfMethod::mixture) result["findings"] = findings_;
+        results.push_back(std::move(result));
+      }
       print_result("{}\n", head(document, surface, std::move(results)).dump());
       return success();
     }
@@ -191,7 +196,7 @@ class PndfCommand final : public Command {
     return written;
   }
 
-  [[nodiscard]] static Json image_results(const Document& document, const std::vector<ComputedImage>& made) {
+  [[nodiscard]] Json image_results(const Document& document, const std::vector<ComputedImage>& made) const {
     Json results = Json::array();
     for (const ComputedImage& m : made) {
       const glm::dvec2 mean = mean_normal(m.image);
@@ -210,6 +215,7 @@ class PndfCommand final : public Command {
       result["error_estimated"] = m.image.error.estimated ? Json(*m.image.error.estimated) : Json();
       if (m.method == PndfMethod::mixture) {
         result["kappa"] = document.mixture.kappa.value_or(automatic_kappa(document.mixture.step));
+        result["findings"] = findings_;
       }
       if (m.method == PndfMethod::binning) {
         result["own_noise"] = m.image.error.estimated ? Json(*m.image.error.estimated) : Json();
@@ -249,6 +255,7 @@ class PndfCommand final : public Command {
   DocumentOptions options_;
   WordsOption queries_;
   WordsOption output_;
+  std::vector<std::string> findings_;  // of the mixture
 };
 
 }  // namespace

@@ -94,6 +94,7 @@ class StudyCommand final : public Command {
       results = run_study(*document, loaded->surface, *asked, control);
     }
     if (!results) return options_.with_flag(results.error());
+    findings_ = say_findings(options_, *document, *loaded);
     say_short_counts(*results);
     const int threads = std::min(asked->threads.value_or(thread_count()), thread_count());
     if (options_.json()) {
@@ -138,7 +139,7 @@ class StudyCommand final : public Command {
     }
   }
 
-  static void print_json(const Document& document, const std::vector<StudyResult>& results, int threads) {
+  void print_json(const Document& document, const std::vector<StudyResult>& results, int threads) const {
     Json object = {{"machine", machine_name()},
                    {"isa", instruction_set_name(instruction_set())},
                    {"threads", threads},
@@ -146,7 +147,10 @@ class StudyCommand final : public Command {
                    {"sigma_r", document.intrinsic_roughness},
                    {"reference", reference_json(results.front().reference)},
                    {"results", Json::array()}};
-    for (const StudyResult& result : results) object["results"].push_back(result_json(document, result));
+    for (const StudyResult& result : results) {
+      object["results"].push_back(result_json(document, result));
+      if (result.method == PndfMethod::mixture) object["results"].back()["findings"] = findings_;
+    }
     print_result("{}\n", object.dump());
   }
 
@@ -172,6 +176,7 @@ class StudyCommand final : public Command {
   DocumentOptions options_;
   WordsOption repeat_;
   WordsOption reference_;
+  std::vector<std::string> findings_;  // of the mixture
 };
 
 }  // namespace

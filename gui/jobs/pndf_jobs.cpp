@@ -176,6 +176,8 @@ void PndfJobs::compute_picture(const Run& run, std::size_t index, bool coarse) {
   picture.coarse = coarse;
   picture.surface = model->info().surface;
   if (coarse) picture.coarse_note = coarse_note(run.document, method, picture.surface, grid);
+  picture.findings = unreported_sentences(document_findings(run.document, method, surface), run.surface->loaded.report,
+                                          run.document.intrinsic_roughness);
   picture.milliseconds = elapsed.count();
   board_.set_picture(index, std::move(picture));
   wake_();

@@ -100,6 +100,7 @@ void Panels::draw_inspector(view::Ui& ui, const Layout& layout, Workbench& workb
   input.surface_error = jobs.surface_error() ? jobs.surface_error()->message() : std::string();
   input.presets = std::move(names);
   input.reading = &pndf_.reading();
+  input.results = jobs.results();
   if (const auto& shown = pndf_.shown()) input.fitted = {shown->window, shown->densities, shown->difference};
   input.open_sections = &workbench.settings().open_sections;
   input.focused = focused_ == Panel::inspector;

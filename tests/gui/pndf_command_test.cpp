@@ -318,5 +318,51 @@ TEST(PndfCommand, RealMapsAreReadAndTheirNotesSaid) {
   EXPECT_EQ(run_glintscope(quiet).err, "");
 }
 
+TEST(MixtureFindings, AreSaidAndStandInTheJson) {
+  const std::vector<std::string> words{"pndf",    "--preset",  "isotropic-noise", "--method", "exact,mixture",
+                                       "--pixel", "200,200",   "--radius",        "1",        "--size",
+                                       "16",      "--sigma-r", "0.001",           "--json"};
+  const ProgramRun run = run_glintscope(words);
+  ASSERT_EQ(run.status, 0) << run.err;
+  const Json json = Json::parse(run.out);
+  EXPECT_FALSE(json["results"][0].contains("findings"));
+  const Json& findings = json["results"][1]["findings"];
+  ASSERT_FALSE(findings.empty());
+  const std::string first = findings[0];
+  EXPECT_THAT(first, HasSubstr("sigma_r 0.001 is small against the map's slope"));
+  EXPECT_THAT(run.err, HasSubstr("mixture: " + first));
+
+  std::vector<std::string> quiet = words;
+  quiet.emplace_back("--quiet");
+  const ProgramRun silent = run_glintscope(quiet);
+  EXPECT_EQ(silent.err, "");
+  EXPECT_EQ(Json::parse(silent.out)["results"][1]["findings"], findings);
+
+  std::vector<std::string> values = quiet;
+  values.insert(values.end(), {"--queries", "-"});
+  EXPECT_EQ(Json::parse(run_glintscope(values, {"0 0\n", {}, 0}).out)["results"][1]["findings"], findings);
+}
+
+TEST(MixtureFindings, AreEmptyInTheJsonWhereThereAreNone) {
+  const ProgramRun run =
+      run_glintscope({"study", "--preset", "isotropic-noise", "--method", "mixture", "--pixel", "200,200", "--radius",
+                      "1", "--size", "16", "--sigma-r", "0.05", "--repeat", "1", "--json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(Json::parse(run.out)["results"][0]["findings"], Json::array());
+}
+
+// The reader of a file already says that its steps show: once is enough.
+TEST(MixtureFindings, DoNotRepeatTheReader) {
+  GLINT_NEEDS_DATA();
+  const ProgramRun run = run_glintscope(
+      {"pndf", "--map", (data_directory() / "normals" / "dented_metal_512.png").string(), "--method", "mixture",
+       "--sigma-r", "0.005", "--size", "16", "--pixel", "200,200", "--radius", "1", "--json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("which is more than the intrinsic roughness"));
+  EXPECT_THAT(run.err, ::testing::Not(HasSubstr("8-bit step")));
+  const std::string first = Json::parse(run.out)["results"][0]["findings"][0];
+  EXPECT_THAT(first, HasSubstr("8-bit step of the map, 0.0078"));
+}
+
 }  // namespace
 }  // namespace glint::test

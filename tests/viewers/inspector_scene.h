@@ -31,6 +31,7 @@ struct InspectorScene {
   Document saved;
   std::shared_ptr<const view::SurfaceInUse> surface;
   std::optional<view::PndfReading> reading;
+  std::shared_ptr<const view::PndfResults> results;
   view::FittedRanges fitted;
   std::map<std::string, bool> open;
   view::Inspector inspector;
@@ -72,6 +73,7 @@ struct InspectorScene {
       input.surface = surface;
       input.presets = {"one", "two"};
       input.reading = &reading;
+      input.results = results;
       input.fitted = fitted;
       input.open_sections = &open;
       const glm::ivec2 size = stage.size();

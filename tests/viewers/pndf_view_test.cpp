@@ -364,5 +364,17 @@ TEST_F(PndfViewTest, ChangesNoFigureWhileFlipped) {
   EXPECT_NE(stage_.pixels(), seen);
 }
 
+TEST_F(PndfViewTest, FindingsStandInTheTooltipOfTheirMethod) {
+  const Rectangle square = area("pndf.picture.binning");
+  stage_.io().MousePos = {square.min.x + 12, square.min.y - 12};  // its title
+  frame();
+  frame();
+  const std::vector<std::uint8_t> without = stage_.pixels();
+  results_->methods[1].findings = {"elements at h = 0.5 ripple by 5.5 %"};
+  frame();
+  frame();
+  EXPECT_NE(stage_.pixels(), without);
+}
+
 }  // namespace
 }  // namespace glint::view

@@ -34,6 +34,7 @@ struct InspectorInput {
   std::string surface_error = {};                    ///< why the document's map is not the one in use; empty: it is
   std::vector<std::string> presets = {};             ///< names to choose from
   const std::optional<PndfReading>* reading = nullptr;
+  std::shared_ptr<const PndfResults> results = {};  ///< whose findings stand under their methods
   FittedRanges fitted = {};
   const std::map<std::string, bool>* open_sections = nullptr;  ///< remembered ones; what is missing has its default
   bool focused = false;

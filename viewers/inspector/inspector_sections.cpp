@@ -147,7 +147,7 @@ std::string footprint_summary(const InspectorInput& input, bool open) {
 // --- methods
 
 void draw_methods(const SectionScene& scene) {
-  method_rows(scene.page, scene.header, map_of(scene.input));
+  method_rows(scene.page, scene.header, map_of(scene.input), scene.input.results.get());
 }
 
 std::string methods_summary(const InspectorInput& input, bool open) {

@@ -6,8 +6,11 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "core/document/names.h"
 #include "viewers/inspector/field_edits.h"
+#include "viewers/inspector/read_report_rows.h"
 #include "viewers/widgets/draw.h"
 #include "viewers/widgets/theme.h"
 
@@ -77,13 +80,27 @@ void exact_rows(FieldPage& page, Interpolation now) {
             {.reason = is_on(page.document, PndfMethod::exact) ? "" : "The exact method is off."});
 }
 
-void mixture_rows(FieldPage& page) {
+void finding_rows(FieldPage& page, PndfMethod method, const PndfResults* results) {
+  if (results == nullptr || !is_on(page.document, method)) return;
+  for (const MethodPicture& picture : results->methods) {
+    if (picture.method != method) continue;
+    for (std::size_t k = 0; k < picture.findings.size(); ++k) {
+      const float top = page.y;
+      sentence_row(page, sentence_text(picture.findings[k]), true);
+      page.ui.widgets.record(fmt::format("{}.finding.{}", choice_name(method), k),
+                             {{{page.left, top}, {page.right, page.y}}, {}, false, false});
+    }
+  }
+}
+
+void mixture_rows(FieldPage& page, const PndfResults* results) {
   const std::string reason = is_on(page.document, PndfMethod::mixture) ? "" : "The mixture method is off.";
   const Rectangle row = take_row(page);
   number_controls(page, field("mixture.step"), method_name(page, row, PndfMethod::mixture), {.reason = reason});
   reset_control(page, field("mixture.step"), row);
   field_row(page, field("mixture.elements"), {.reason = reason});
   field_row(page, field("mixture.kappa"), {.reason = reason});
+  finding_rows(page, PndfMethod::mixture, results);
 }
 
 void lean_row(FieldPage& page) {  // which has no settings of its own
@@ -112,10 +129,10 @@ Interpolation interpolation_on(const Document& document, const NormalMap* map) {
   return document.surface.interpolation.value_or(flakes ? Interpolation::constant : Interpolation::smooth);
 }
 
-void method_rows(FieldPage& page, const Rectangle& header, const NormalMap* map) {
+void method_rows(FieldPage& page, const Rectangle& header, const NormalMap* map, const PndfResults* results) {
   reset_control(page, field("methods"), header);
   exact_rows(page, interpolation_on(page.document, map));
-  mixture_rows(page);
+  mixture_rows(page, results);
   lean_row(page);
   auto_row(page);
   binning_rows(page);

@@ -120,4 +120,11 @@ void PndfPictures::forget_unused() {
   sweep(differences_);
 }
 
+std::pair<PndfMethod, PndfMethod> difference_pair(const std::vector<PndfMethod>& methods) {
+  const bool has_exact = std::find(methods.begin(), methods.end(), PndfMethod::exact) != methods.end();
+  if (!has_exact) return {methods[1], methods[0]};
+  const auto other = std::find_if(methods.begin(), methods.end(), [](PndfMethod m) { return m != PndfMethod::exact; });
+  return {*other, PndfMethod::exact};
+}
+
 }  // namespace glint::view

@@ -5,10 +5,12 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
 
+#include "core/pndf/model_factory.h"
 #include "core/pndf/pndf_grid.h"
 #include "viewers/gl/texture.h"
 
@@ -83,5 +85,9 @@ class PndfPictures {
   std::vector<Kept<ShownImage>> images_;
   std::vector<Kept<ShownDifference>> differences_;
 };
+
+/// Minuend and subtrahend of the difference between two or more methods: a method less exact, else the second less the
+/// first.
+std::pair<PndfMethod, PndfMethod> difference_pair(const std::vector<PndfMethod>& methods);
 
 }  // namespace glint::view

@@ -30,6 +30,8 @@ struct MethodPicture {
   bool coarse = false;                            ///< a quick first answer: fewer cells, and what `coarse_note` says
   std::string coarse_note;                        ///< "64² cells, 2 triangles", empty for a full picture
   Interpolation surface = Interpolation::smooth;  ///< what it was computed on: differences need equal surfaces
+  std::vector<std::string> findings;              ///< of its method on that input (mixture_findings), but what the
+                                                  ///< report of the map's file says
   double milliseconds = 0;                        ///< of `image` alone; nothing of building or waiting is in it
   std::optional<PndfErrors> errors;               ///< against the reference of its surface; unknown until that is there
   double reference_error = 0;                     ///< of the reference itself, where `errors` are known

@@ -37,14 +37,6 @@ glm::dvec4 shown_window(const PndfInput& input) {
   return input.results ? window_of(input.results->grid) : k_whole_disk;
 }
 
-// Minuend and subtrahend of the difference: a method less exact, else the second less the first.
-std::pair<PndfMethod, PndfMethod> difference_pair(const std::vector<PndfMethod>& methods) {
-  const bool has_exact = std::find(methods.begin(), methods.end(), PndfMethod::exact) != methods.end();
-  if (!has_exact) return {methods[1], methods[0]};
-  const auto other = std::find_if(methods.begin(), methods.end(), [](PndfMethod m) { return m != PndfMethod::exact; });
-  return {*other, PndfMethod::exact};
-}
-
 bool has_picture(const PndfInput& input) {
   if (!input.results) return false;
   const auto& methods = input.results->methods;
@@ -199,7 +191,9 @@ MethodColumn PndfView::State::method_column(Ui& ui, const PndfInput& input, cons
   column.state.offers_restart = method == restart_offer(input);
   column.state.first = method == input.document.methods.front();
   column.state.focused = crosshair.focused_picture() == method_name(method);
-  for (const PndfNote& said : notes) column.help += (column.help.empty() ? "" : "\n") + said.full + ".";
+  const auto help = [&](const std::string& said) { column.help += (column.help.empty() ? "" : "\n") + said + "."; };
+  for (const PndfNote& said : notes) help(said.full);
+  if (column.picture != nullptr) std::for_each(column.picture->findings.begin(), column.picture->findings.end(), help);
   if (column.picture != nullptr && column.picture->image) {
     column.shown = &pictures.shown(ui.gl, column.picture->image);
     column.state.progress = column.picture->progress;

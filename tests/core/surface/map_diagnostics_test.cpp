@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include <glm/vec3.hpp>
 #include <gtest/gtest.h>
 
 #include "core/surface/height_field.h"
@@ -100,6 +101,52 @@ TEST(SeamRatios, LeaveOutHeightsThatAreNotFinite) {
   heights[0] = heights[777] = std::nanf("");
   heights[5] = HUGE_VALF;
   EXPECT_NEAR(seam_ratios(heights, k_side, k_side).left_right, 1, 0.3);
+}
+
+// Unit vectors of a few waves as integers of `levels` + 1 values hold them, decoded as readers do.
+NormalMap stored(double levels, bool three_channels) {
+  std::vector<glm::vec2> normals;
+  const auto decoded = [&](double x) { return 2 * std::round((x + 1) / 2 * levels) / levels - 1; };
+  for (int j = 0; j < k_side; ++j) {
+    for (int i = 0; i < k_side; ++i) {
+      const glm::dvec3 n{decoded(0.4 * std::sin(0.2 * i + 0.1 * j)), decoded(0.3 * std::cos(0.15 * j)), decoded(0.9)};
+      const double length = three_channels ? std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z) : 1;
+      normals.emplace_back(n.x / length, n.y / length);
+    }
+  }
+  return {k_side, k_side, std::move(normals), Wrap::repeat};
+}
+
+TEST(ValueStep, IsFoundWithTwoChannelsAndBehindNormalising) {
+  EXPECT_EQ(value_step(stored(255, false)), 2.0 / 255);
+  EXPECT_EQ(value_step(stored(255, true)), 2.0 / 255);
+  EXPECT_EQ(value_step(stored(65535, false)), 2.0 / 65535);
+}
+
+TEST(ValueStep, IsZeroOfFloatsAndOfWhatDoesNotVary) {
+  EXPECT_EQ(value_step(map_of(waves(k_side))), 0);
+  EXPECT_EQ(value_step(NormalMap(k_side, k_side, std::vector<glm::vec2>(k_side * k_side, {1 / 255.F, 1 / 255.F}),
+                                 Wrap::repeat)),
+            0);
+  EXPECT_EQ(value_step(NormalMap(1, 1, {{0, 0}}, Wrap::repeat)), 0);
+}
+
+// Columns whose s is that of column / `width`.
+bool columns_are_pieces(int width, double jump) {
+  std::vector<glm::vec2> normals;
+  for (int j = 0; j < k_side; ++j) {
+    for (int i = 0; i < k_side; ++i) normals.emplace_back(jump * (i / width), 0);
+  }
+  std::vector<glm::dvec2> everywhere;
+  for (int k = 0; k < k_side * k_side; ++k) everywhere.emplace_back(k % k_side + 0.5, k / k_side + 0.5);
+  return is_flat_in_pieces(NormalMap(k_side, k_side, std::move(normals), Wrap::clamp), everywhere);
+}
+
+TEST(FlatInPieces, IsAMapOfJumpsBetweenEqualNeighbours) {
+  EXPECT_TRUE(columns_are_pieces(8, 0.05));
+  EXPECT_FALSE(columns_are_pieces(8, 2.0 / 255));  // steps of a gentle slope
+  EXPECT_FALSE(columns_are_pieces(1, 0.01));       // a ramp
+  EXPECT_FALSE(columns_are_pieces(64, 0.05));      // flat all over
 }
 
 }  // namespace
