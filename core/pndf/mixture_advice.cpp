@@ -91,7 +91,7 @@ class Advice {
 
   std::vector<MixtureFinding> findings() {
     note_value_step();
-    const bool has_elements = is_sum_of_elements(element_frame(surface_, settings_, footprint_, roughness_));
+    const bool has_elements = element_frame(surface_, settings_, footprint_, roughness_).sums_elements();
     const bool smooth = surface_.interpolation() != Interpolation::constant;
     if (has_elements && smooth) {
       note_ripple();

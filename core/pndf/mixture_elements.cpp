@@ -39,15 +39,6 @@ MixtureFrame element_frame(const Surface& surface, const MixtureSettings& settin
   return {surface, settings, reduced, glm::dvec2(intrinsic_roughness), MixturePndf::k_query_cut};
 }
 
-// The counterpart of what MixturePndf hands to the exact method; a test holds the two together.
-bool is_sum_of_elements(const MixtureFrame& frame) {
-  if (std::min(frame.roughness.x, frame.roughness.y) < k_least_single_roughness) return false;
-  if (frame.uniform) return true;
-  const double seeds = static_cast<double>(frame.map->width()) * frame.map->height() / frame.lattice.area();
-  return frame.elements_within() <= 4 * seeds + 1e6 &&
-         suits_single_precision(FootprintWindow(frame.widened), frame.cut);
-}
-
 double seeds_visited(const MixtureFrame& frame, const PlaneRectangle& part) {
   const auto [first, last] = rows_in(frame, part);
   const auto [left, right] = frame.columns();

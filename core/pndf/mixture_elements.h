@@ -33,10 +33,6 @@ struct PlaneRectangle {
 MixtureFrame element_frame(const Surface& surface, const MixtureSettings& settings, const Footprint& footprint,
                            double intrinsic_roughness);
 
-/// Whether the mixture's answers are sums of these elements: under some footprints, and for roughnesses next to zero,
-/// it gives the exact method's.
-bool is_sum_of_elements(const MixtureFrame& frame);
-
 /// How many seeds `elements_in` looks at, about: whole rows of those that the footprint reaches.
 double seeds_visited(const MixtureFrame& frame, const PlaneRectangle& part);
 

@@ -112,16 +112,6 @@ class MixtureFootprint final : public FootprintPndf {
   mutable std::atomic<double> mass_{-1};
 };
 
-// Whether the exact method answers: what such a footprint sees it sees again and again, or single precision does not
-// do.
-bool is_for_exact(const MixtureFrame& frame) {
-  if (std::min(frame.roughness.x, frame.roughness.y) < k_least_single_roughness) return true;
-  if (frame.uniform) return false;
-  const double seeds = static_cast<double>(frame.map->width()) * frame.map->height() / frame.lattice.area();
-  return frame.elements_within() > 4 * seeds + 1e6 ||
-         !suits_single_precision(FootprintWindow(frame.widened), frame.cut);
-}
-
 }  // namespace
 
 Surface MixturePndf::modelled(const Surface& surface) {
@@ -163,7 +153,7 @@ const MixtureBounds* MixturePndf::bounds() const {
 FootprintPndf& MixturePndf::at(const Footprint& footprint, PndfWorkspace& workspace) const {
   const Footprint reduced{reduced_center(surface_.map(), footprint.center), footprint.covariance};
   const MixtureFrame frame(surface_, settings_, reduced, glm::dvec2(intrinsic_roughness_), k_query_cut);
-  if (is_for_exact(frame)) return exact().at(footprint, workspace);
+  if (!frame.sums_elements()) return exact().at(footprint, workspace);
   return workspace.emplace<MixtureFootprint>(frame, bounds());
 }
 
@@ -180,7 +170,7 @@ std::optional<PndfImage> MixturePndf::image(const Footprint& footprint, const Pn
   const Footprint reduced{reduced_center(surface_.map(), footprint.center), footprint.covariance};
   const MixtureFrame frame(surface_, settings_, reduced, roughness, k_image_cut);
   const MixtureFrame single(surface_, settings_, reduced, glm::dvec2(intrinsic_roughness_), k_query_cut);
-  if (is_for_exact(single)) return exact().image(footprint, grid, control);  // as for single normals
+  if (!single.sums_elements()) return exact().image(footprint, grid, control);  // as for single normals
   const auto [first, last] = frame.rows();
   image.density.resize(grid.cells());
   if (last < first) return image;  // between seeds that do not reach it

@@ -4,29 +4,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/surface/catmull_rom.h"
+#include "core/pndf/exact_query.h"
+#include "core/pndf/mixture_cells.h"
 
 namespace glint {
 namespace {
 
 constexpr double k_uniform = 0.81;     // squared deviations over the squared side: exp(-2 pi^2 0.81) = 1e-7 is left
 constexpr std::size_t k_padding = 32;  // vectors reach beyond the last seed and its texels
-
-// Where a seed stands among the texels along one axis, and what it takes of four of them from `first` on.
-struct SeedWeights {
-  std::int64_t first;
-  CubicWeights value{};
-  CubicWeights slope{};
-  CubicWeights bend{};
-};
-
-SeedWeights seed_weights(double u, bool piecewise_constant) {
-  if (piecewise_constant) return {static_cast<std::int64_t>(std::floor(u)), {1, 0, 0, 0}};
-  const double cell = std::floor(u - 0.5);
-  const double x = u - 0.5 - cell;
-  return {static_cast<std::int64_t>(cell) - 1, catmull_rom(x), catmull_rom_derivative(x),
-          catmull_rom_second_difference(x)};
-}
 
 SymmetricMatrix2 plus_identity(const SymmetricMatrix2& m, double amount) {
   return {m.xx + amount, m.xy, m.yy + amount};
@@ -140,6 +125,13 @@ double MixtureFrame::elements_within() const {
   return reached / lattice.area();
 }
 
+bool MixtureFrame::sums_elements() const {
+  if (std::min(roughness.x, roughness.y) < k_least_single_roughness) return false;
+  if (uniform) return true;
+  const double seeds = static_cast<double>(map->width()) * map->height() / lattice.area();
+  return elements_within() <= 4 * seeds + 1e6 && suits_single_precision(FootprintWindow(widened), cut);
+}
+
 double MixtureFrame::kept() const {
   // Of the joint Gaussian in four dimensions, or of that in s alone.
   const double half = 0.5 * cut * cut;
@@ -161,7 +153,7 @@ void MixtureRows::State::add_seeds(std::int64_t first, std::int64_t last) {
   if (first > last) return;
   const double step = frame.lattice.step.x;
   const auto weights_of = [&](std::int64_t seed) {
-    return seed_weights((static_cast<double>(seed) + 0.5) * step, frame.piecewise_constant);
+    return AxisStencil((static_cast<double>(seed) + 0.5) * step, frame.piecewise_constant);
   };
   first_texel_ = weights_of(first).first;
   texel_count_ = static_cast<std::size_t>(weights_of(last).first - first_texel_) + 4 + k_padding;
@@ -171,7 +163,7 @@ void MixtureRows::State::add_seeds(std::int64_t first, std::int64_t last) {
     run.contiguous = seeds_per_texel(step) > 0;
     resize(run, static_cast<std::size_t>((last - first) / phases + 1) + k_padding);
     for (std::int64_t seed = first + phase; seed <= last; seed += phases) {
-      const SeedWeights weights = weights_of(seed);
+      const AxisStencil weights = weights_of(seed);
       const std::size_t k = run.count++;
       run.texel[k] = static_cast<std::int32_t>(weights.first - first_texel_);
       run.offset[k] = static_cast<float>((static_cast<double>(seed) + 0.5) * step - frame.center.x);
@@ -201,7 +193,7 @@ std::optional<RowPlan> MixtureRows::State::plan(std::int64_t row) {
     run.first = static_cast<std::size_t>(std::lower_bound(begin, end, static_cast<float>(columns->lo)) - begin);
     run.last = static_cast<std::size_t>(std::upper_bound(begin, end, static_cast<float>(columns->hi)) - begin);
   }
-  const SeedWeights weights = seed_weights(v, frame.piecewise_constant);
+  const AxisStencil weights(v, frame.piecewise_constant);
   const auto floats = [](const CubicWeights& w) {
     return std::array<float, 4>{static_cast<float>(w[0]), static_cast<float>(w[1]), static_cast<float>(w[2]),
                                 static_cast<float>(w[3])};

@@ -62,6 +62,9 @@ struct MixtureFrame {
   [[nodiscard]] Seeds columns() const;
   /// About how many elements are within the cut.
   [[nodiscard]] double elements_within() const;
+  /// False where the exact method answers instead: what such a footprint sees it sees again and again, or single
+  /// precision does not do.
+  [[nodiscard]] bool sums_elements() const;
   /// The share of the mass that the cut keeps.
   [[nodiscard]] double kept() const;
 };

@@ -52,7 +52,7 @@ void MapElements::gather(const ElementRequest& request) {
   whole_ = false;
   const MixtureFrame& frame = frame_.emplace(
       element_frame(request.surface->loaded.surface, request.mixture, request.footprint, request.intrinsic_roughness));
-  if (!is_sum_of_elements(frame)) {
+  if (!frame.sums_elements()) {
     whole_ = true;
     instead_ = "evaluated exactly here: no elements";
     return;

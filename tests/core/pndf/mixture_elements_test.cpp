@@ -49,7 +49,7 @@ TEST(MixtureElements, AddUpToWhatTheMixtureSaysAtANormal) {
       for (const double step : {1.0, 0.5, 0.3}) {
         const MixtureSettings settings{step, std::nullopt, kind};
         const MixtureFrame frame = element_frame(c.surface, settings, c.footprint, k_roughness);
-        ASSERT_TRUE(is_sum_of_elements(frame)) << c.what;
+        ASSERT_TRUE(frame.sums_elements()) << c.what;
         const std::vector<MixtureElement> elements = elements_in(frame, k_everywhere);
         const MixturePndf model(c.surface, k_roughness, settings);
         PndfWorkspace workspace;
@@ -195,7 +195,7 @@ TEST(MixtureElements, AreSaidToBeThereWhereTheMixtureIsNotTheExactMethod) {
        {std::pair(isotropic_footprint({20, 11}, 2), 0.02), std::pair(isotropic_footprint({20, 11}, 60), 0.02),
         std::pair(isotropic_footprint({20, 11}, 2), 1e-7),
         std::pair(test::turned_footprint({20, 11}, 300, 0.01, 0.7), 0.02)}) {
-    EXPECT_EQ(is_sum_of_elements(element_frame(surface, coarse, footprint, roughness)),
+    EXPECT_EQ(element_frame(surface, coarse, footprint, roughness).sums_elements(),
               !is_exact(footprint, roughness, coarse))
         << footprint.covariance.xx << ' ' << roughness;
   }
