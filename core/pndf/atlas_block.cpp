@@ -1,6 +1,7 @@
 #include "core/pndf/atlas_block.h"
 
 #include <algorithm>
+#include <numeric>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/pndf/atlas_block.cpp"
@@ -58,13 +59,15 @@ AtlasBlock::AtlasBlock(const WindowImage& image, int rows, float factor) {
   constexpr float k_largest_half = 32768;
   constexpr std::ptrdiff_t k_run = 16;
   const float largest = *std::max_element(image.density.begin(), image.density.end());
+  const double sum = std::accumulate(image.density.begin(), image.density.end(), 0.0);
+  const auto least = static_cast<float>(k_dropped_share * sum / static_cast<double>(image.density.size()));
   row_begin.assign(static_cast<std::size_t>(rows) + 1, 0);
   if (!(largest > 0)) return;
   scale = factor * largest / k_largest_half;
   for (int r = 0; r < rows; ++r) {
     const float* row = image.density.data() + r * image.stride;
     for (std::ptrdiff_t at = 0; at + k_run <= image.stride; at += k_run) {
-      if (*std::max_element(row + at, row + at + k_run) < 1e-6F * largest) continue;
+      if (*std::max_element(row + at, row + at + k_run) < least) continue;
       run.push_back(static_cast<std::uint16_t>(at / k_run));
       half.resize(half.size() + k_run);
       HWY_DYNAMIC_DISPATCH(to_halves)(row + at, k_largest_half / largest, half.data() + half.size() - k_run);

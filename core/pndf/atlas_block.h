@@ -9,22 +9,24 @@
 
 namespace glint {
 
-/// Half floats in runs of 16 cells that are not empty: off by 2^-11 of each value at most.
+inline constexpr double k_half_error = 1.0 / 2048;
+inline constexpr double k_dropped_share = 1e-4;
+
+/// Half floats in runs of 16 cells that are not empty: off by k_half_error of each value at most, and by
+/// k_dropped_share of the sum of all.
 struct AtlasBlock {
   float scale = 0;                       ///< density = scale * half
   std::vector<std::uint32_t> row_begin;  ///< row r has runs row_begin[r] … row_begin[r + 1] - 1
   std::vector<std::uint16_t> run;        ///< its first column over 16
   std::vector<std::uint16_t> half;       ///< 16 a run
 
-  /// Times `factor`. Runs below 1e-6 of the image's largest value are empty.
+  /// Times `factor`. Runs whose every value is below k_dropped_share of the mean are taken for empty.
   AtlasBlock(const WindowImage& image, int rows, float factor);
 
   [[nodiscard]] std::size_t bytes() const {
     return row_begin.size() * sizeof(std::uint32_t) + (run.size() + half.size()) * sizeof(std::uint16_t);
   }
 };
-
-inline constexpr double k_half_error = 1.0 / 2048;
 
 /// Adds weight * density of rows first … last - 1 to `image`.
 void add_block(const AtlasBlock& block, float weight, int first, int last, WindowImage& image);

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "core/math/gaussian.h"
+#include "core/pndf/fast_exact_pndf.h"
+#include "core/pndf/mixture_rows.h"
 
 namespace glint {
 namespace {
@@ -15,9 +17,11 @@ namespace {
 constexpr std::size_t k_lean = AutoPndf::k_steps.size();
 constexpr std::size_t k_exact = k_lean + 1;
 constexpr std::size_t k_unknown = k_lean + 2;
-constexpr std::size_t k_normals = 64;    // drawn from each of two methods that are compared
-constexpr std::size_t k_footprints = 8;  // within one that is wider than k_probed_deviation
-constexpr double k_deviations = 2;       // of the estimate, added to it
+constexpr std::size_t k_normals = 64;         // drawn from each of two methods that are compared
+constexpr std::size_t k_footprints = 8;       // within one that is wider than k_probed_deviation
+constexpr double k_deviations = 2;            // of the estimate, added to it
+constexpr double k_image_cut_share = 1.5e-3;  // of the mass, which the cut of a mixture's images moves
+constexpr double k_most_elements = 3e6;       // of a mixture that a whole footprint's LEAN is held against
 
 constexpr std::array<std::string_view, AutoPndf::k_steps.size()> k_step_names{"2", "1", "0.5", "0.25"};
 
@@ -37,6 +41,7 @@ class AutoFootprint final : public FootprintPndf {
   [[nodiscard]] glm::dvec2 sample(RandomStream& random) const override { return pndf_.sample(random); }
   [[nodiscard]] double pdf(glm::dvec2 s) const override { return pndf_.pdf(s); }
   [[nodiscard]] PndfError error() const override { return error_; }
+  void expect_queries(std::size_t count) const override { pndf_.expect_queries(count); }
 
  private:
   PndfWorkspace workspace_;
@@ -169,56 +174,105 @@ std::string AutoChoice::text() const {
   return "exact";
 }
 
+// Exact evaluation of 32 triangles a texel: with shifted vertices, which answers, and without, which that is held
+// against. On other surfaces than the smooth one they are one.
+struct AutoPndf::Exact {
+  FastExactPndf shifted;
+  FastExactPndf plain;
+  bool is_one;
+
+  Exact(const Surface& surface, double roughness)
+      : shifted(surface, roughness, with_shift(surface)),
+        plain(surface, roughness),
+        is_one(surface.interpolation() != Interpolation::smooth) {}
+
+ private:
+  static ExactSettings with_shift(const Surface& surface) {
+    ExactSettings settings;
+    settings.vertex_shift = surface.interpolation() == Interpolation::smooth;
+    return settings;
+  }
+};
+
 AutoPndf::AutoPndf(const Surface& surface, double intrinsic_roughness, const AutoSettings& settings,
                    std::shared_ptr<const MixtureAtlas> atlas)
     : surface_(MixturePndf::modelled(surface)),
       intrinsic_roughness_(intrinsic_roughness),
       settings_(settings),
-      lean_(surface_, intrinsic_roughness) {
+      lean_(surface_, intrinsic_roughness),
+      atlas_(std::move(atlas)) {
   for (std::size_t k = 0; k < k_steps.size(); ++k) {
-    const MixtureSettings of_step = mixture_of_step(k_steps[k]);
-    mixtures_[k] = std::make_unique<const MixturePndf>(surface_, intrinsic_roughness_, of_step, atlas);
+    MixtureSettings of_step = mixture_of_step(k_steps[k]);
+    of_step.merge_bound = std::min(of_step.merge_bound, merging_share());
+    mixtures_[k] = std::make_unique<const MixturePndf>(surface_, intrinsic_roughness_, of_step);
   }
-  ExactSettings shifted;
-  shifted.vertex_shift = surface_.interpolation() == Interpolation::smooth;
-  exact_ = std::make_unique<const FastExactPndf>(surface_, intrinsic_roughness_, shifted);
-  plain_exact_ = std::make_unique<const FastExactPndf>(surface_, intrinsic_roughness_);
+}
+
+AutoPndf::~AutoPndf() = default;
+
+const AutoPndf::Exact& AutoPndf::exact() const {
+  std::call_once(exact_built_, [this] {
+    exact_ = std::make_unique<const Exact>(surface_, intrinsic_roughness_);
+    exact_bytes_ = exact_->shifted.info().bytes + exact_->plain.info().bytes;
+  });
+  return *exact_;
 }
 
 PndfModelInfo AutoPndf::info() const {
+  std::size_t bytes = lean_.info().bytes + exact_bytes_;
+  for (const auto& mixture : mixtures_) bytes += mixture->info().bytes;
   return {"auto", surface_.interpolation(),
           "within its tolerance by its own estimate; where that is not met it says so", lean_.info().bytes};
 }
 
-AutoChoice AutoPndf::choose(const Footprint& footprint) const {
+AutoChoice AutoPndf::choose(const Footprint& footprint, const JobControl& control) const {
   using Answer = AutoChoice::Answer;
   const double tolerance = settings_.tolerance;
+  // What is left for a mixture's elements: its images are cut and merge besides.
+  const double of_elements = tolerance - k_image_cut_share - 2 * merging_share();
   // LEAN, against a mixture that is itself near enough: the whole footprint, of which it makes one Gaussian.
-  const bool wide = std::sqrt(eigenvalues(footprint.covariance).y) > k_probed_deviation;
-  RandomStream random(0x6c65616e, 0);
-  const Probe lean(lean_, footprint, random, k_normals);
-  const Probe few(*mixtures_[index_of(wide ? 1 : 0.5)], footprint, random, k_normals);
-  const Estimate of_lean = distance(lean, few);
-  const bool lean_may_do = of_lean.upper() <= tolerance;
+  std::optional<double> lean_step;
+  Estimate of_lean;
+  for (const std::size_t k : {index_of(0.5), index_of(1), index_of(2)}) {
+    if (elements_within(footprint, k_steps[k]) > k_most_elements) continue;
+    RandomStream random(0x6c65616e, 0);
+    of_lean = distance(Probe(lean_, footprint, random, k_normals), Probe(*mixtures_[k], footprint, random, k_normals));
+    if (of_lean.upper() <= tolerance) lean_step = k_steps[k];
+    break;
+  }
   // A first-order method of step h is off by d / (2^p - 1) more than one of 2 h, d their distance: of order p = 2 even
   // where corrected elements reach more, 1 where normals jump.
   const double order_gain = surface_.interpolation() == Interpolation::constant ? 2 : 4;
   Comparison compare(footprint);
-  for (std::size_t k = 0; k + 1 < k_steps.size(); ++k) {
+  for (std::size_t k = 0; k + 1 < k_steps.size() && !control.cancelled(); ++k) {
     const double apart = compare(*mixtures_[k], *mixtures_[k + 1]).upper();
     const double of_coarser = apart * order_gain / (order_gain - 1);
     const double of_finer = 2 * apart / (order_gain - 1);  // not yet where the order is reached: twice
-    const bool coarser_does = of_coarser <= tolerance;
-    if (!coarser_does && of_finer > tolerance) continue;
+    const bool coarser_does = of_coarser <= of_elements;
+    if (!coarser_does && of_finer > of_elements) continue;
+    const double step = k_steps[coarser_does ? k : k + 1];
     const double off = coarser_does ? of_coarser : of_finer;
-    if (lean_may_do && of_lean.upper() + off <= tolerance) return {Answer::lean, 0, of_lean.upper() + off, true};
-    return {Answer::mixture, k_steps[coarser_does ? k : k + 1], off, true};
+    const double of_both = of_lean.upper() + off;
+    if (lean_step && *lean_step <= step && of_both <= tolerance) return {Answer::lean, 0, of_both, true};
+    return {Answer::mixture, step, off + k_image_cut_share, true};
   }
-  // Shifting vertices leaves less than an eighth of what it moves: some hundredth where triangles are small enough.
-  const double off = compare(*plain_exact_, *exact_).upper() / 8;
-  const double of_finest = compare(*exact_, *mixtures_.back()).upper() + off;
-  if (of_finest <= tolerance) return {Answer::mixture, k_steps.back(), of_finest, true};
+  if (control.cancelled()) return {};
+  // Shifting vertices leaves less than an eighth of what it moves: measured, some fiftieth on smooth maps.
+  const double off = exact().is_one ? 0 : compare(exact().plain, exact().shifted).upper() / 8;
+  if (control.cancelled()) return {};
+  const double of_finest = compare(exact().shifted, *mixtures_.back()).upper() + off;
+  if (of_finest <= of_elements) return {Answer::mixture, k_steps.back(), of_finest + k_image_cut_share, true};
   return {Answer::exact, 0, off, off <= tolerance};
+}
+
+double AutoPndf::merging_share() const {
+  return settings_.tolerance / 40;
+}
+
+double AutoPndf::elements_within(const Footprint& footprint, double step) const {
+  const MixtureFrame frame(surface_, mixture_of_step(step), footprint, glm::dvec2(intrinsic_roughness_),
+                           MixturePndf::k_query_cut);
+  return frame.elements_within();
 }
 
 const PndfModel& AutoPndf::model_of(const AutoChoice& choice) const {
@@ -230,7 +284,7 @@ const PndfModel& AutoPndf::model_of(const AutoChoice& choice) const {
     case AutoChoice::Answer::exact:
       break;
   }
-  return *exact_;
+  return exact().shifted;
 }
 
 FootprintPndf& AutoPndf::at(const Footprint& footprint, PndfWorkspace& workspace) const {
@@ -239,14 +293,25 @@ FootprintPndf& AutoPndf::at(const Footprint& footprint, PndfWorkspace& workspace
   return workspace.emplace<AutoFootprint>(model_of(choice), footprint, choice.estimated);
 }
 
+std::optional<PndfImage> AutoPndf::looked_up(const AutoChoice& choice, const Footprint& footprint,
+                                             const PndfGrid& grid) const {
+  if (!atlas_ || choice.answer != AutoChoice::Answer::mixture) return std::nullopt;
+  if (!atlas_->is_of(surface_, intrinsic_roughness_, mixture_of_step(choice.step), grid)) return std::nullopt;
+  std::optional<PndfImage> image = atlas_->image(footprint);
+  if (image && image->error.bounded + choice.estimated > settings_.tolerance) return std::nullopt;
+  return image;
+}
+
 std::optional<PndfImage> AutoPndf::image(const Footprint& footprint, const PndfGrid& grid, JobControl& control) const {
-  const AutoChoice choice = choose(footprint);
-  std::optional<PndfImage> image = model_of(choice).image(footprint, grid, control);
+  const AutoChoice choice = choose(footprint, control);
+  if (control.cancelled()) return std::nullopt;
+  std::optional<PndfImage> image = looked_up(choice, footprint, grid);
+  if (!image) image = model_of(choice).image(footprint, grid, control);
   if (!image) return image;
   count(choice);
   image->error.estimated = choice.estimated;
   const std::string where = image->answer.text.empty() ? "" : ", " + image->answer.text;
-  image->answer = {choice.text() + where, choice.step, choice.known};
+  image->answer = {choice.text() + where, choice.step, choice.known && *image->error.total() <= settings_.tolerance};
   return image;
 }
 

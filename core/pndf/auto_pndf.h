@@ -5,10 +5,10 @@
 #include <atomic>
 #include <cstddef>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 
-#include "core/pndf/fast_exact_pndf.h"
 #include "core/pndf/lean_pndf.h"
 #include "core/pndf/mixture_pndf.h"
 #include "core/pndf/pndf_model.h"
@@ -24,14 +24,14 @@ struct AutoSettings {
   friend bool operator==(const AutoSettings&, const AutoSettings&) = default;
 };
 
-/// Who answers for a footprint, and what is known of its error. Estimates compare a method with the next finer one at
-/// normals drawn from both, on footprints of at most k_probed_deviation texels within a wider one: the error of a sum
-/// of footprints is at most the mean of theirs.
+/// Who answers for a footprint, and what is known of its error, merging and atlas apart. Estimates compare a method
+/// with the next finer one at normals drawn from both, on footprints of at most k_probed_deviation texels within a
+/// wider one: the error of a sum of footprints is at most the mean of theirs.
 struct AutoChoice {
   enum class Answer { lean, mixture, exact };
   Answer answer = Answer::exact;
   double step = 0;       ///< of a mixture
-  double estimated = 0;  ///< relative L1, with two standard errors of the estimate added
+  double estimated = 0;  ///< relative L1, two standard errors of the estimate and the cut of images added
   bool known = false;    ///< whether the estimate meets the tolerance: exact answers where none does
 
   /// "LEAN", "mixture, h = 0.5", "exact".
@@ -48,6 +48,7 @@ class AutoPndf final : public PndfModel {
 
   AutoPndf(const Surface& surface, double intrinsic_roughness, const AutoSettings& settings = {},
            std::shared_ptr<const MixtureAtlas> atlas = nullptr);
+  ~AutoPndf() override;
 
   [[nodiscard]] PndfModelInfo info() const override;
   FootprintPndf& at(const Footprint& footprint, PndfWorkspace& workspace) const override;
@@ -55,8 +56,8 @@ class AutoPndf final : public PndfModel {
   [[nodiscard]] std::optional<PndfImage> image(const Footprint& footprint, const PndfGrid& grid,
                                                JobControl& control) const override;
 
-  /// Without counting it.
-  [[nodiscard]] AutoChoice choose(const Footprint& footprint) const;
+  /// Without counting it. Not to be used if `control` was cancelled meanwhile.
+  [[nodiscard]] AutoChoice choose(const Footprint& footprint, const JobControl& control = JobControl()) const;
 
   /// Footprints answered by at() and image() so far.
   struct Statistics {
@@ -68,16 +69,26 @@ class AutoPndf final : public PndfModel {
   [[nodiscard]] Statistics statistics() const;
 
  private:
+  struct Exact;
+
   [[nodiscard]] const PndfModel& model_of(const AutoChoice& choice) const;
+  [[nodiscard]] const Exact& exact() const;
+  /// From the atlas, where what that may be off is within the tolerance too.
+  [[nodiscard]] std::optional<PndfImage> looked_up(const AutoChoice& choice, const Footprint& footprint,
+                                                   const PndfGrid& grid) const;
   void count(const AutoChoice& choice) const;
+  [[nodiscard]] double merging_share() const;
+  [[nodiscard]] double elements_within(const Footprint& footprint, double step) const;
 
   Surface surface_;
   double intrinsic_roughness_;
   AutoSettings settings_;
   LeanPndf lean_;
   std::array<std::unique_ptr<const MixturePndf>, k_steps.size()> mixtures_;  // by step
-  std::unique_ptr<const FastExactPndf> exact_;
-  std::unique_ptr<const FastExactPndf> plain_exact_;  // whose vertices are not shifted: what exact is held against
+  std::shared_ptr<const MixtureAtlas> atlas_;
+  mutable std::once_flag exact_built_;
+  mutable std::unique_ptr<const Exact> exact_;  // built when a footprint first asks for it
+  mutable std::atomic<std::size_t> exact_bytes_{0};
   mutable std::array<std::atomic<std::size_t>, k_steps.size() + 3> counts_{};
 };
 

@@ -9,12 +9,15 @@
 #include "core/math/flush_to_zero.h"
 #include "core/math/gaussian.h"
 #include "core/pndf/cell_visit.h"
+#include "core/pndf/exact_query.h"
 #include "core/pndf/mixture_pndf.h"
 
 namespace glint {
 namespace {
 
 constexpr double k_most_nodes = 1200;
+constexpr double k_most_visited_nodes = 1e5;
+constexpr double k_most_elements = 2e7;  // under all windows: some seconds of work
 
 std::int64_t wrapped(std::int64_t k, int count) {
   const std::int64_t rest = k % count;
@@ -97,6 +100,12 @@ class CanvasPool {
   std::vector<std::unique_ptr<WindowCanvas>> free_;
 };
 
+// An atlas never merges.
+MixtureSettings unmerged(MixtureSettings settings) {
+  settings.merge_bound = 0;
+  return settings;
+}
+
 // Seeds whose positions lie in [lo, hi).
 MixtureFrame::Seeds seeds_between(double lo, double hi, double step) {
   return {static_cast<std::int64_t>(std::ceil(lo / step - 0.5)),
@@ -117,17 +126,25 @@ bool MixtureAtlas::is_of(const Surface& surface, double intrinsic_roughness, con
                          const PndfGrid& grid) const {
   const bool same_surface = surface.shared_map() == surface_.shared_map() &&
                             MixturePndf::modelled(surface).interpolation() == surface_.interpolation();
-  return same_surface && intrinsic_roughness == intrinsic_roughness_ && settings == settings_ && grid == grid_;
+  return same_surface && intrinsic_roughness == intrinsic_roughness_ && unmerged(settings) == unmerged(settings_) &&
+         grid == grid_;
 }
 
 bool MixtureAtlas::suits(const SymmetricMatrix2& covariance) const {
+  if (intrinsic_roughness_ < k_least_single_roughness) return false;
   if (!(std::sqrt(eigenvalues(covariance).y) >= SplineLattice::k_least_deviation)) return false;
   const SplineLattice lattice = SplineLattice::for_footprint(surface_.map(), covariance);
+  // Of a turned needle the rectangle about its nodes is walked as well.
+  const double area = lattice.pitch.x * lattice.pitch.y;
+  if (64 * std::sqrt(covariance.xx * covariance.yy) / area > k_most_visited_nodes) return false;
   double nodes = SplineFootprint::node_count(lattice, covariance);
   if (lattice.periodic) nodes = std::min(nodes, static_cast<double>(lattice.count.x) * lattice.count.y);
+  if (nodes > k_most_nodes) return false;
+  if (nodes * area / MixtureLattice(surface_.map(), settings_).area() > k_most_elements) return false;
   const auto image_bytes =
       static_cast<double>(sizeof(float)) * static_cast<double>(WindowImage::stride_of(grid_)) * grid_.rows;
-  return nodes <= k_most_nodes && nodes * image_bytes <= static_cast<double>(most_bytes_);
+  const double canvases = static_cast<double>(WindowCanvas::k_windows) * thread_count();
+  return std::max(nodes, canvases) * image_bytes <= static_cast<double>(most_bytes_);
 }
 
 Footprint MixtureAtlas::reduced(const Footprint& footprint) const {
@@ -193,7 +210,7 @@ bool MixtureAtlas::build(const Footprint& footprint, JobControl& control) {
     MixtureRows rows(frame);
     ElementList row;
     std::unique_ptr<WindowCanvas> canvas = canvases.take();
-    for (std::int64_t l = frame.rows().first; l <= frame.rows().last; ++l) {
+    for (std::int64_t l = frame.rows().first; l <= frame.rows().last && !control.cancelled(); ++l) {
       row.count = 0;
       rows.append(l, row);
       const double v = (static_cast<double>(l) + 0.5) * seeds.step.y;
@@ -259,7 +276,7 @@ std::optional<PndfImage> MixtureAtlas::image(const Footprint& footprint) const {
     std::copy(from, from + grid_.columns, image.density.begin() + static_cast<std::ptrdiff_t>(grid_.index(0, r)));
   }
   image.answer.text = "atlas";
-  image.error = {spline.bound() + k_half_error, std::nullopt};
+  image.error = {spline.bound() + k_half_error + k_dropped_share, std::nullopt};
   return image;
 }
 

@@ -20,23 +20,26 @@
 
 namespace glint {
 
-/// Of one surface, sigma_r, grid and mixture settings. Elements under a window are weighted by its value at their
-/// seeds, which for windows this wide is off the mixture's own weights by (sigma_h / sigma_p)^2. Members may be called
-/// from any thread.
+/// Of one surface, sigma_r, grid and mixture settings, merging apart. Elements under a window are weighted by its value
+/// at their seeds, which for windows this wide is off the mixture's own weights by (sigma_h / sigma_p)^2. Members may
+/// be called from any thread.
 class MixtureAtlas {
  public:
-  /// The memory of what is kept; while blocks are built, half as much again.
+  /// The memory of what is kept; while blocks are built, as much again for their images, and for the canvases of all
+  /// threads.
   static constexpr std::size_t k_most_bytes = std::size_t{256} << 20U;
 
   MixtureAtlas(const Surface& surface, double intrinsic_roughness, const MixtureSettings& settings,
                const PndfGrid& grid, std::size_t most_bytes = k_most_bytes);
 
+  [[nodiscard]] const std::shared_ptr<const NormalMap>& map() const { return surface_.shared_map(); }
   /// Whether it is of these.
   [[nodiscard]] bool is_of(const Surface& surface, double intrinsic_roughness, const MixtureSettings& settings,
                            const PndfGrid& grid) const;
 
   /// Whether an atlas answers such footprints at all: not narrower than k_least_deviation, not so long or so rich in
-  /// cells that the blocks would not fit.
+  /// cells that the blocks would not fit or take more than some seconds, and not for a roughness that is for the exact
+  /// method.
   [[nodiscard]] bool suits(const SymmetricMatrix2& covariance) const;
   /// The share of the footprint's blocks that is not there, of one that suits.
   [[nodiscard]] double missing_share(const Footprint& footprint) const;
@@ -45,7 +48,8 @@ class MixtureAtlas {
   /// thread at a time. False if cancelled, or where the atlas does not suit.
   bool build(const Footprint& footprint, JobControl& control);
 
-  /// The image, whose error is bounded in what the windows leave of the footprint; nothing where blocks are missing.
+  /// The image; nothing where blocks are missing. Bounded is what the windows leave of the footprint and how blocks are
+  /// kept; not the cut of the elements, as in direct images.
   [[nodiscard]] std::optional<PndfImage> image(const Footprint& footprint) const;
 
   [[nodiscard]] std::size_t bytes() const;
@@ -77,7 +81,7 @@ class MixtureAtlas {
   mutable std::mutex mutex_;
   mutable std::map<Key, Kept> kept_;  // last_use changes
   std::size_t bytes_ = 0;
-  mutable std::uint64_t uses_ = 0;
+  std::uint64_t uses_ = 0;
 };
 
 }  // namespace glint

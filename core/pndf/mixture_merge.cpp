@@ -66,7 +66,7 @@ class TileLanes {
     const float whole = sum(weight);
     if (!(whole > 0)) return false;
     const V share = hn::Mul(weight, hn::Set(d, 1 / whole));
-    const auto mean = [&](V values) HWY_ATTR { return sum(hn::Mul(share, values)); };
+    const auto mean = [&](V values) HWY_ATTR { return sum(hn::IfThenElseZero(near, hn::Mul(share, values))); };
     const float mean_x = mean(from_x);
     const float mean_y = mean(from_y);
     const float mean_xx = mean(xx);
@@ -214,7 +214,7 @@ double ElementMerger::merge(ElementList& band) {
   for (std::size_t t = 0; t < next_.begin.size() - 1; t += k_tiles_at_once) next_.begin[wide++] = next_.begin[t];
   next_.begin[wide++] = next_.begin.back();
   next_.begin.resize(wide);
-  next_.order.resize(band.count + k_padding, 0);
+  next_.order.assign(band.count + k_padding, 0);
   std::iota(next_.order.begin(), next_.order.begin() + static_cast<std::ptrdiff_t>(band.count), 0);
   merged_.reserve(band.count + k_padding);
   error += HWY_DYNAMIC_DISPATCH(merge_tiles)(band, next_, limits_, merged_, tiles_.begin);

@@ -30,7 +30,8 @@ class ElementMerger {
 
   /// Merges within tiles of k_rows x k_columns seeds, and then what has become one with its neighbours along the band.
   /// `band` holds the elements of k_rows rows; what is left of it is in order of tiles, unless nothing was merged.
-  /// Returns a bound on the L1 distance between what was and what is.
+  /// Returns a bound on the L1 distance between what was and what is, at most twice merge_bound of the band's weight.
+  /// Vectors cut tiles: which elements merge depends on the instruction set, and scalar code merges none.
   double merge(ElementList& band);
 
   /// The elements of a band by tile: tile t has order[begin[t]] … order[begin[t + 1] - 1].

@@ -111,9 +111,7 @@ double sum_of_weights(const MixtureFrame& frame) {
 
 glm::dvec2 sample_mixture(const MixtureFrame& frame, RandomStream& random) {
   const MixtureLattice& lattice = frame.lattice;
-  // Sigma_p = V - sigma_h^2 I.
-  const double squared = lattice.deviation * lattice.deviation;
-  const CholeskyFactor footprint = cholesky({frame.widened.xx - squared, frame.widened.xy, frame.widened.yy - squared});
+  const CholeskyFactor footprint = cholesky(frame.footprint);
   const double most = largest_sum(lattice.step.x, lattice.deviation) * largest_sum(lattice.step.y, lattice.deviation);
   while (true) {
     std::array<double, 4> xi{};

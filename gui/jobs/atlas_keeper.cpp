@@ -12,12 +12,17 @@ std::shared_ptr<const MixtureAtlas> AtlasKeeper::for_picture(const Document& doc
                                                              const Surface& surface, const PndfGrid& grid,
                                                              JobControl& control) {
   const Footprint& footprint = document.footprint;
+  forget_another_map(surface);
   if (!atlas_ || !atlas_->is_of(surface, document.intrinsic_roughness, settings, grid)) return nullptr;
   if (!atlas_->suits(footprint.covariance)) return nullptr;
   const double missing = atlas_->missing_share(footprint);
   if (missing > k_few) return nullptr;
   if (missing > 0 && !atlas_->build(footprint, control)) return nullptr;
   return atlas_;
+}
+
+void AtlasKeeper::forget_another_map(const Surface& surface) {
+  if (atlas_ && atlas_->map() != surface.shared_map()) atlas_.reset();
 }
 
 void AtlasKeeper::prepare(const Document& document, const MixtureSettings& settings, const Surface& surface,

@@ -23,6 +23,8 @@ class AtlasKeeper {
                JobSteps& steps);
 
  private:
+  void forget_another_map(const Surface& surface);
+
   std::shared_ptr<MixtureAtlas> atlas_;
 };
 

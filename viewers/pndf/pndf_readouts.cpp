@@ -152,11 +152,13 @@ Figure noise_figure(PndfMethod method, const MethodPicture* picture) {
   }
   figure.value = Quantity{"none", {}};
   figure.brief_value = "no noise";
-  figure.help.text = fmt::format(
-      "Nothing in this method is random. What it cuts, merges and replaces is at most {} "
-      "(relative L1).",
-      text_of(percent_text(error.bounded)));
-  if (!error.estimated) figure.help.text += " How far its elements are off the surface, it does not know.";
+  figure.help.text = "Nothing in this method is random.";
+  if (error.bounded > 0) {
+    figure.help.text += fmt::format(" What it {} is at most {} (relative L1).",
+                                    error.estimated ? "cuts" : "merges or looks up in place of its elements",
+                                    text_of(percent_text(error.bounded)));
+  }
+  if (!error.estimated) figure.help.text += " How far it is off the surface, it does not know.";
   return figure;
 }
 
