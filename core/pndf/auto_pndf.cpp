@@ -144,6 +144,7 @@ class Comparison {
   std::vector<std::unique_ptr<Probe>> probes_of(const PndfModel& model) {
     std::vector<std::unique_ptr<Probe>> probes;
     const std::size_t normals = std::max<std::size_t>(k_normals / parts_.size(), 16);
+    probes.reserve(parts_.size());
     for (const Footprint& part : parts_) probes.push_back(std::make_unique<Probe>(model, part, random_, normals));
     return probes;
   }

@@ -36,7 +36,9 @@ class FootprintPndf {
   virtual void evaluate(std::span<const glm::dvec2> s, std::span<double> density) const = 0;
 
   /// Says that about so many normals will be asked, before any is: what pays for them is prepared once and for all, and
-  /// values then do not depend on who asks first. Calling it is a choice.
+  /// values then do not depend on who asks first. Without it, a footprint that several threads share may answer by
+  /// other means from some query on, and values differ in their last digits from run to run: who promises equal bytes
+  /// calls it.
   virtual void expect_queries(std::size_t /*count*/) const {}
 
   /// A projected normal drawn with density pdf(). Outside the unit disk it is an invalid normal, which contributes
