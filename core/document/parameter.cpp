@@ -214,8 +214,8 @@ std::optional<Error> flakes_fault(const FlakeSettings& flakes) {
   const glm::dvec2 radii = flake_radii(flakes.size);
   if (flakes.radius >= radii.x && flakes.radius <= radii.y) return std::nullopt;
   return request_error("surface.generator.radius",
-                       fmt::format("is {}; allowed: from {:.4g} to {} on a map of {} texels a side", flakes.radius,
-                                   radii.x, radii.y, flakes.size));
+                       fmt::format("is {}; allowed: from {} to {} on a map of {} texels a side", flakes.radius, radii.x,
+                                   radii.y, flakes.size));
 }
 
 std::optional<Error> surface_fault(const SurfaceDescription& surface) {

@@ -152,13 +152,23 @@ void FlakeGrid::visit(const FootprintWindow& window, glm::dvec2 center, double c
   }
 }
 
-std::vector<FlakeWeight> FlakeGrid::one_by_one(const FootprintWindow& window, glm::dvec2 center, double cut) const {
+std::vector<FlakeWeight> FlakeGrid::one_by_one(const FootprintWindow& window, double share, glm::dvec2 center,
+                                               double cut) const {
   double nearest = std::numeric_limits<double>::infinity();
   for (double reach = 2; !std::isfinite(nearest); reach *= 2) {
     visit(window, center, reach, [&](std::uint32_t, double squared) { nearest = std::min(nearest, squared); });
   }
   const double reach = std::sqrt(cut * cut + nearest);
   std::vector<FlakeWeight> found;
+  if (std::numbers::pi * reach * reach * share > 1) {  // as many or more are met as there are
+    std::vector<double> sums(flakes_.size());
+    visit(window, center, reach,
+          [&](std::uint32_t flake, double squared) { sums[flake] += std::exp(-0.5 * (squared - nearest)); });
+    for (std::uint32_t flake = 0; flake < sums.size(); ++flake) {
+      if (sums[flake] > 0) found.push_back({flake, sums[flake]});
+    }
+    return found;
+  }
   visit(window, center, reach, [&](std::uint32_t flake, double squared) {
     found.push_back({flake, std::exp(-0.5 * (squared - nearest))});
   });
@@ -188,7 +198,7 @@ std::vector<FlakeWeight> FlakeGrid::weights(const Footprint& footprint, double c
     const std::vector<Wave> series = waves(v);
     if (static_cast<double>(series.size()) <= periods) found = folded(series, center);
   }
-  if (found.empty()) found = one_by_one(window, center, cut);
+  if (found.empty()) found = one_by_one(window, share, center, cut);
   drop_light_ones(found, cut);
   return found;
 }

@@ -38,7 +38,8 @@ class FlakeGrid {
 
   /// The flakes' weights but for those below the largest one's by more than exp(-cut^2 / 2); at least one, however far
   /// the nearest flake is. Costs as many steps as flakes are within the footprint, or in the domain if that is less,
-  /// times a number below some thirty.
+  /// times a number below some thirty; of footprints that are narrower than the domain but longer by far, and along a
+  /// simple direction (an axis, a diagonal), up to 3 sqrt(count). Memory is a few numbers a flake at most.
   [[nodiscard]] std::vector<FlakeWeight> weights(const Footprint& footprint, double cut) const;
   /// Those of footprints that see all alike.
   [[nodiscard]] std::vector<FlakeWeight> equal_weights() const { return folded({}, {0, 0}); }
@@ -55,7 +56,8 @@ class FlakeGrid {
   [[nodiscard]] double share_of_domain(const SymmetricMatrix2& widened) const;
   [[nodiscard]] std::vector<Wave> waves(const SymmetricMatrix2& widened) const;
   [[nodiscard]] std::vector<FlakeWeight> folded(const std::vector<Wave>& waves, glm::dvec2 center) const;
-  [[nodiscard]] std::vector<FlakeWeight> one_by_one(const FootprintWindow& window, glm::dvec2 center, double cut) const;
+  [[nodiscard]] std::vector<FlakeWeight> one_by_one(const FootprintWindow& window, double share, glm::dvec2 center,
+                                                    double cut) const;
 
   /// Hands on see(flake, squared distance in deviations) for the flakes of the plane within the cut.
   template <class See>

@@ -122,7 +122,9 @@ std::optional<PndfImage> FlakePndf::image(const Footprint& footprint, const Pndf
   const bool single = std::min(roughness.x, roughness.y) >= k_least_single_roughness;
   const double cut = single ? k_image_cut : k_query_cut;
   image.error = error_of_cut(cut);
+  if (control.cancelled()) return std::nullopt;
   const PreparedFlakes flakes = prepare(footprint, roughness, cut);
+  if (control.cancelled()) return std::nullopt;
   const bool finished = single ? splat(flakes, image, control) : evaluate_cells(flakes, image, control);
   if (!finished) return std::nullopt;
   return image;

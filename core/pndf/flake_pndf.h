@@ -33,10 +33,11 @@ namespace glint {
 /// Cuts are joint: single normals at R = 5, in double precision, images at R = 4.2, each counted from the nearest flake
 /// and scaled by what it keeps.
 ///
-/// at() costs some 50 ns a flake within 5 deviations of the footprint, and never more than some 200 ns a flake of the
-/// domain, however wide the footprint is; those that see the whole domain alike share one preparation. A normal then
-/// only meets the flakes that nearly face it. The surface is the flakes' own: info() says `constant`, the nearest in
-/// kind, but a map of their Voronoi cells is another surface.
+/// at() costs some 50 ns a flake within 5 deviations of the footprint, and some 200 ns a flake of the domain for one
+/// that is wider; more where it is narrow but far longer than the domain, along an axis or a diagonal (FlakeGrid).
+/// Those that see the whole domain alike share one preparation. A normal then only meets the flakes that nearly face
+/// it. The surface is the flakes' own: info() says `constant`, the nearest in kind, but a map of their Voronoi cells is
+/// another surface.
 class FlakePndf final : public PndfModel {
  public:
   static constexpr double k_image_cut = 4.2;

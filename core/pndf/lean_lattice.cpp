@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "core/pndf/footprint_window.h"
@@ -18,6 +19,8 @@ namespace {
 
 constexpr double k_folded_exponent = 25;  // terms below exp(-25) are dropped
 constexpr double k_most_periods = 4;
+constexpr double k_turns_a_step = 32;  // multiply-adds in the time that the walk takes for a node
+constexpr double k_wave_scale = 2 * std::numbers::pi * std::numbers::pi;
 
 // A node holds point samples at the centres of its texels, which have this variance along each of its sides. The
 // weights of nodes are those of a footprint narrower by it, so that what they spread over their texels has the
@@ -166,8 +169,15 @@ class Walk {
   // The footprint folded into one period by Poisson's summation: F(u) = sum over k = (a / W, b / H) of
   // exp(-2 pi^2 k^T Sigma k) exp(2 pi i k (u - centre)), up to a factor.
   SlopeMoments folded();
+  // What that takes a node, in steps of the walk that `repeating` is.
+  [[nodiscard]] double steps_folded() const;
+  [[nodiscard]] double nodes() const { return static_cast<double>(u_.nodes()) * static_cast<double>(v_.nodes()); }
 
  private:
+  // Calls body(a, b) for the terms a >= 0 that are not dropped, by b.
+  template <class Body>
+  void for_terms(Body body) const;
+
   // What lies at one height beyond the left and right end: constant along u.
   struct Line {
     double height;
@@ -252,7 +262,7 @@ class Walk {
 // exp(2 pi i k x) at the nodes of an axis, each narrowed by its own spread.
 std::vector<std::complex<double>> node_wave(const Axis& axis, std::int64_t turns, double center) {
   const double k = static_cast<double>(turns) / static_cast<double>(axis.texels);
-  const double scale = 2 * std::numbers::pi * std::numbers::pi * k * k;
+  const double scale = k_wave_scale * k * k;
   std::vector<std::complex<double>> wave(static_cast<std::size_t>(axis.nodes()));
   for (std::int64_t node = 0; node < axis.nodes(); ++node) {
     wave[static_cast<std::size_t>(node)] = std::polar(std::exp(scale * spread_of(axis.extent(node))),
@@ -261,21 +271,14 @@ std::vector<std::complex<double>> node_wave(const Axis& axis, std::int64_t turns
   return wave;
 }
 
-SlopeMoments Walk::folded() {
+template <class Body>
+void Walk::for_terms(Body body) const {
   const auto w = static_cast<double>(u_.texels);
   const auto h = static_cast<double>(v_.texels);
-  const double scale = 2 * std::numbers::pi * std::numbers::pi;
   const double det = determinant(covariance_);
   // k^T Sigma k is the squared distance in the metric whose covariance is Sigma^-1.
   const FootprintWindow ellipse({covariance_.yy / det, -covariance_.xy / det, covariance_.xx / det});
-  const double cut = std::sqrt(k_folded_exponent / scale);
-  struct Term {
-    double amplitude;
-    const std::vector<std::complex<double>>* wave_y;
-  };
-  std::map<std::int64_t, std::vector<std::complex<double>>> waves_x;
-  std::map<std::int64_t, std::vector<std::complex<double>>> waves_y;
-  std::map<std::int64_t, std::vector<Term>> terms;  // by their turns along u, >= 0: k and -k are one real term
+  const double cut = std::sqrt(k_folded_exponent / k_wave_scale);
   const auto most_b = static_cast<std::int64_t>(h * ellipse.reach_y(cut));
   for (std::int64_t b = -most_b; b <= most_b; ++b) {
     const double k_v = static_cast<double>(b) / h;
@@ -283,13 +286,33 @@ SlopeMoments Walk::folded() {
     if (!range) continue;
     for (auto a = std::max<std::int64_t>(0, static_cast<std::int64_t>(std::ceil(w * range->lo)));
          static_cast<double>(a) <= w * range->hi; ++a) {
-      const double k_u = static_cast<double>(a) / w;
-      const double form = covariance_.xx * k_u * k_u + 2 * covariance_.xy * k_u * k_v + covariance_.yy * k_v * k_v;
-      if (!waves_x.contains(a)) waves_x.emplace(a, node_wave(u_, a, center_.x));
-      if (!waves_y.contains(b)) waves_y.emplace(b, node_wave(v_, b, center_.y));
-      terms[a].push_back({(a == 0 ? 1 : 2) * std::exp(-scale * form), &waves_y.at(b)});
+      body(a, b);
     }
   }
+}
+
+double Walk::steps_folded() const {
+  std::set<std::int64_t> turns;
+  for_terms([&](std::int64_t a, std::int64_t) { turns.insert(a); });
+  return 1 + static_cast<double>(turns.size()) / k_turns_a_step;
+}
+
+SlopeMoments Walk::folded() {
+  struct Term {
+    double amplitude;
+    const std::vector<std::complex<double>>* wave_y;
+  };
+  std::map<std::int64_t, std::vector<std::complex<double>>> waves_x;
+  std::map<std::int64_t, std::vector<std::complex<double>>> waves_y;
+  std::map<std::int64_t, std::vector<Term>> terms;  // by their turns along u, >= 0: k and -k are one real term
+  for_terms([&](std::int64_t a, std::int64_t b) {
+    const double k_u = static_cast<double>(a) / static_cast<double>(u_.texels);
+    const double k_v = static_cast<double>(b) / static_cast<double>(v_.texels);
+    const double form = covariance_.xx * k_u * k_u + 2 * covariance_.xy * k_u * k_v + covariance_.yy * k_v * k_v;
+    if (!waves_x.contains(a)) waves_x.emplace(a, node_wave(u_, a, center_.x));
+    if (!waves_y.contains(b)) waves_y.emplace(b, node_wave(v_, b, center_.y));
+    terms[a].push_back({(a == 0 ? 1 : 2) * std::exp(-k_wave_scale * form), &waves_y.at(b)});
+  });
   std::vector<double> row(static_cast<std::size_t>(u_.nodes()));
   for (std::int64_t j = 0; j < v_.nodes(); ++j) {
     std::fill(row.begin(), row.end(), 0.0);
@@ -317,8 +340,10 @@ SlopeMoments lattice_moments(const LeanLattice& lattice, const Footprint& footpr
   Walk walk(lattice, footprint);
   if (map.wrap() == Wrap::clamp) return walk.clamping();
   const double reached = std::numbers::pi * k_lean_cut * k_lean_cut * std::sqrt(determinant(footprint.covariance));
-  if (reached > k_most_periods * map.width() * map.height()) return walk.folded();
-  return walk.repeating();
+  if (!(reached > k_most_periods * map.width() * map.height())) return walk.repeating();
+  // A long footprint along a diagonal has terms of as many turns as a narrow one.
+  const auto size = static_cast<double>(lattice.size());
+  return walk.nodes() * walk.steps_folded() < reached / (size * size) ? walk.folded() : walk.repeating();
 }
 
 }  // namespace glint

@@ -47,6 +47,7 @@ class PoissonDisk {
     std::vector<Square> together;
     for (int level = 0; level <= k_deepest && !active.empty(); ++level) {
       quarters.clear();
+      control.expect_steps((active.size() + k_together - 1) / k_together);
       for (std::size_t first = 0; first < active.size(); first += k_together) {
         if (control.cancelled()) return false;
         const std::size_t last = std::min(first + k_together, active.size());
@@ -54,6 +55,7 @@ class PoissonDisk {
                         active.begin() + static_cast<std::ptrdiff_t>(last));
         throw_darts(together, level, random);
         add_uncovered_quarters(together, level, quarters);
+        control.finish_step();
       }
       active.swap(quarters);
     }
@@ -224,7 +226,8 @@ Result<NormalMap> generate(const FlakeSettings& settings, JobControl& control) {
 }  // namespace
 
 glm::dvec2 flake_radii(int size) {
-  return {std::max(1.0, size * std::sqrt(k_density / k_most_flakes)), size / 4.0};
+  const double least = std::max(1.0, size * std::sqrt(k_density / k_most_flakes));
+  return {std::ceil(1000 * least) / 1000, size / 4.0};
 }
 
 Result<std::vector<Flake>> place_flakes(const FlakeSettings& settings, JobControl& control) {

@@ -26,7 +26,7 @@ struct FlakeSettings {
 };
 
 /// The smallest and the largest radius on a map of that size: one texel, or a radius that leaves some six million
-/// flakes, which take some twenty seconds; and a quarter of the map.
+/// flakes, which take some twenty seconds, rounded up to a thousandth, as people read it; and a quarter of the map.
 glm::dvec2 flake_radii(int size);
 
 /// A flat flake.

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "viewers/map/map_elements.h"
+
 namespace glint::gui {
 namespace {
 
@@ -32,6 +34,7 @@ PanelWishes Panels::draw(view::Ui& ui, const Layout& layout, Workbench& workbenc
     if (area_of(layout, panel).width() > 0) body();
     ranges_[static_cast<std::size_t>(panel)] = {first, ui.widgets.order().size()};
   };
+  map_drawn_ = area_of(layout, Panel::map).width() > 0;
   drawn(Panel::map, [&] { draw_map(ui, layout, workbench, wishes); });
   drawn(Panel::pndf, [&] { draw_pndf(ui, layout, workbench, flipped, wishes); });
   drawn(Panel::inspector, [&] { draw_inspector(ui, layout, workbench, wishes); });
@@ -39,9 +42,11 @@ PanelWishes Panels::draw(view::Ui& ui, const Layout& layout, Workbench& workbenc
 }
 
 bool Panels::incomplete(const Document& document) const {
+  if (!map_drawn_) return false;
   const auto& reading = pndf_.reading();
   const std::optional<glm::dvec2> crosshair = reading ? std::optional(reading->s) : std::nullopt;
-  return map_.incomplete() || (document.view.elements && crosshair != crosshair_on_map_);
+  const bool elements = document.view.elements && view::reason_without_elements(document).empty();
+  return map_.incomplete() || (elements && crosshair != crosshair_on_map_);
 }
 
 std::optional<Panel> Panels::panel_of(std::size_t widget_index) const {

@@ -40,7 +40,7 @@ class Panels {
   [[nodiscard]] const view::PndfView& pndf() const { return pndf_; }
   [[nodiscard]] view::Inspector& inspector() { return inspector_; }
 
-  /// Whether another frame will show more, or a crosshair that has moved since the map was drawn.
+  /// Whether another frame will show more of the map, or its elements by a crosshair that has moved since it was drawn.
   [[nodiscard]] bool incomplete(const Document& document) const;
 
   [[nodiscard]] Panel focused() const { return focused_; }
@@ -59,7 +59,8 @@ class Panels {
   view::PndfView pndf_;
   view::Inspector inspector_;
   Panel focused_ = Panel::pndf;
-  std::optional<glm::dvec2> crosshair_on_map_;                               // in the last frame
+  bool map_drawn_ = false;                                                   // in the last frame
+  std::optional<glm::dvec2> crosshair_on_map_;                               // when it was drawn last
   std::array<std::pair<std::size_t, std::size_t>, k_panel_count> ranges_{};  // of widgets in the record
 };
 

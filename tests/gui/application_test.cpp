@@ -112,6 +112,17 @@ TEST(Application, ElementsOnTheMapAreOneStepOfUndoAndFollowTheCrosshair) {
   EXPECT_FALSE(stage.document().view.elements);
 }
 
+TEST(Application, RestsWithElementsOnAMapThatIsNotSeen) {
+  const ApplicationStage stage;
+  stage.open_small();
+  stage.play("set methods exact,mixture\nkey E\naction view.footprint\nwait jobs");
+  stage.play("click pndf.maximise\nwait 2\nclick pndf.picture.exact\nwait jobs");
+  ASSERT_TRUE(stage.document().view.elements);
+  ASSERT_TRUE(stage.app().panels().pndf().reading().has_value());
+  for (int k = 0; k < 300 && stage.app().pace() != gui::Application::Pace::on_event; ++k) stage.frames(1);
+  EXPECT_EQ(stage.app().pace(), gui::Application::Pace::on_event);
+}
+
 TEST(Application, ASliderDragIsOneStepOfUndo) {
   const ApplicationStage stage;
   stage.open_small();

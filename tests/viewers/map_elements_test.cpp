@@ -131,6 +131,21 @@ TEST(MapElements, OfAWideFootprintAreThoseInViewAndTheBrightestOfThem) {
   }
 }
 
+TEST(MapElements, OfALongFootprintAcrossTheAxesAreThoseInView) {
+  ElementRequest request = request_on(test::wavy_map(2048, 2048, Wrap::repeat));
+  request.footprint = test::turned_footprint({1000, 1000}, 130, 1, 0.7);
+  const MixtureFrame frame =
+      element_frame(request.surface->loaded.surface, request.mixture, request.footprint, request.intrinsic_roughness);
+  ASSERT_LT(frame.elements_within(), MapElements::k_most_kept);  // in a box of many more seeds
+  MapElements elements;
+  request.part = {{990, 990}, {1010, 1010}};
+  EXPECT_FALSE(elements.at(request).elements.empty());
+  request.part = {{1060, 1050}, {1080, 1070}};
+  EXPECT_FALSE(elements.at(request).elements.empty());  // gathered anew
+  request.part = {{0, 0}, {2000, 2000}};
+  EXPECT_EQ(elements.at(request).instead, "zoom in to see the elements");
+}
+
 TEST(MapElements, AreNoneWhereTheMixtureIsEvaluatedExactly) {
   ElementRequest request = wavy_request();
   request.intrinsic_roughness = 1e-8;

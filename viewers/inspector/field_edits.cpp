@@ -55,7 +55,7 @@ void fit(Document& document, const Error& fault) {
   ScratchSettings& scratches = document.surface.scratches;
   FlakeSettings& flakes = document.surface.flakes;
   if (fault.subject == "surface.generator.size") {
-    const int size = document.surface.source == SurfaceSource::noise ? noise.size : scratches.size;
+    const double size = slider_number(find_parameter(fault.subject)->get(document)).value_or(32);
     noise.size = scratches.size = flakes.size = std::max(32, static_cast<int>(nearest_power_of_two(size)));
   } else if (fault.subject == "surface.generator.correlation_length") {
     noise.correlation_length = noise.size / 4.0;

@@ -21,6 +21,11 @@ PlaneRectangle grown(const PlaneRectangle& part, double by) {
   return {part.min - by, part.max + by};
 }
 
+// Seeds, or the texels between them where those are more.
+double visited(const MixtureFrame& frame, const PlaneRectangle& part) {
+  return seeds_visited(frame, part) * std::max(1.0, frame.lattice.area());
+}
+
 bool same_elements(const ElementRequest& a, const ElementRequest& b) {
   return a.surface == b.surface && a.mixture == b.mixture && a.intrinsic_roughness == b.intrinsic_roughness &&
          a.footprint == b.footprint;
@@ -58,9 +63,10 @@ void MapElements::gather(const ElementRequest& request) {
     return;
   }
   if (spacing(request) < k_least_spacing) return;
-  whole_ = frame.elements_within() <= k_most_kept;
+  // Few elements may lie in a wide box, that of a long footprint.
+  whole_ = frame.elements_within() <= k_most_kept && visited(frame, k_everywhere) <= k_most_visited;
   const PlaneRectangle part = whole_ ? k_everywhere : grown(request.part, frame.lattice.deviation);
-  if (!whole_ && seeds_visited(frame, part) > k_most_visited) {
+  if (!whole_ && visited(frame, part) > k_most_visited) {
     instead_ = k_zoom_in;
     return;
   }

@@ -55,7 +55,7 @@ class MapElements {
   static constexpr double k_least_lit = 0.01;      ///< of the largest density: darker ones have no parts to show
   static constexpr double k_least_share = 1e-3;    ///< an element below that in weight and in density is left out
   static constexpr double k_most_kept = 50'000;    ///< a footprint of more elements keeps those in view only
-  static constexpr double k_most_visited = 7.5e5;  ///< what a frame has time for
+  static constexpr double k_most_visited = 7.5e5;  ///< seeds, or texels between them: what a frame has time for
 
   const ShownElements& at(const ElementRequest& request);
 

@@ -362,7 +362,7 @@ TEST(DocumentFault, AgreesWithTheGenerators) {
   };
   for (const int size : {-1, 0, 7, 8, 23, 24, 1000, 16384, 16385}) flakes([&](auto& f) { f.size = size; });
   for (const double x : {0.0, below_1, 1.0, 256.0, 256.1, 5000.0}) flakes([&](auto& f) { f.radius = x; });
-  for (const double x : {5.5, 5.7, 4096.0}) {
+  for (const double x : {5.5, 5.596, 5.597, 4096.0}) {
     flakes([&](auto& f) {
       f.size = 16384;
       f.radius = x;

@@ -97,6 +97,8 @@ std::vector<Case> cases() {
           {"as wide as the domain", paint, square, test::turned_footprint({10, 80}, 110, 40, 1), 0.05},
           {"much wider than the domain", paint, square, isotropic_footprint({10, 80}, 700), 0.05},
           {"long and narrow", paint, square, test::turned_footprint({10, 80}, 500, 12, 0.02), 0.05},
+          {"along an axis, far longer than the domain", paint, square, test::turned_footprint({10, 80}, 2000, 1.5, 0),
+           0.05},
           {"a strip", strip, {96, 30}, isotropic_footprint({50, 29}, 11), 0.02},
           {"one flake", {{{1, 1}, {0.2, 0.1}}}, {7, 9}, isotropic_footprint({5, 5}, 1), 0.02},
           {"far from few", few, {300, 200}, isotropic_footprint({160, 110}, 1), 0.02},

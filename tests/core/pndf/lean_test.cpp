@@ -233,6 +233,37 @@ TEST(Lean, MergesTexelsAsItsTwin) {
   }
 }
 
+TEST(Lean, MergesTexelsAlikeAlongTheDiagonal) {
+  const auto map = test::rough_map(16, 16, Wrap::repeat);
+  const Footprint footprint = test::turned_footprint({13.3, 10.1}, 150, 0.9, std::numbers::pi / 4);
+  expect_moments(smooth_model(map).moments(footprint), test::slow_moments(*map, footprint), 3e-5, "folded");
+  // Waves of so many turns that walking is cheaper.
+  const Footprint longer = test::turned_footprint({13.3, 10.1}, 1700, 0.9, std::numbers::pi / 4);
+  const SlopeMoments folded = smooth_model(map).moments(longer);
+  const SymmetricMatrix2& c = folded.covariance;
+  expect_moments(smooth_model(test::tiled(*map, 10, 10)).moments(longer),
+                 {1, folded.mean.x, folded.mean.y, c.xx, c.xy, c.yy}, 3e-5, "walked");
+}
+
+TEST(Lean, OfMapsOneTexelWideMergesAsItsTwin) {
+  for (const Wrap wrap : {Wrap::repeat, Wrap::clamp}) {
+    for (const glm::ivec2 size : {glm::ivec2(1, 37), glm::ivec2(37, 1)}) {
+      const auto map = test::wavy_map(size.x, size.y, wrap);
+      for (const Footprint& footprint : {isotropic_footprint({0.3, 0.6}, 2.5), isotropic_footprint({0.3, 0.6}, 9),
+                                         test::turned_footprint({0.2, 0.9}, 20, 1, 0.7)}) {
+        expect_moments(smooth_model(map).moments(footprint), test::slow_moments(*map, footprint), 5e-3,
+                       std::to_string(size.x) + ", " + std::to_string(footprint.covariance.xx));
+      }
+    }
+    const auto map = test::constant_map({0.3, -0.5}, wrap, 1);
+    for (const double radius : k_radii) {
+      const SlopeMoments moments = smooth_model(map).moments(isotropic_footprint({0.2, 7.4}, radius));
+      EXPECT_NEAR(moments.mean.x, -0.3 / std::sqrt(1 - 0.09 - 0.25), 1e-6) << radius;
+      EXPECT_LE(moments.covariance.xx + moments.covariance.yy, 1e-15) << radius;
+    }
+  }
+}
+
 TEST(Lean, MergesBlocksNearlyAsItsTwinMergesTexels) {
   const std::vector<std::pair<std::string, Footprint>> footprints = {
       {"isotropic", isotropic_footprint({20.3, 11.1}, 8)},

@@ -31,6 +31,7 @@ struct Case {
   Footprint footprint;
   double roughness;
   double least_step = 0.25;
+  double most_step = 2;
 };
 
 test::MapPointer spiky_map(int size) {
@@ -53,7 +54,12 @@ std::vector<Case> cases() {
        0.001},
       {"across the border", smooth(wavy), isotropic_footprint({95.9, 0.2}, 3), 0.005},
       {"many periods", smooth(test::wavy_map(20, 12, Wrap::repeat)), isotropic_footprint({3, 8}, 11), 0.01},
-      {"one texel", smooth(test::constant_map({0.1, 0.2}, Wrap::repeat, 2)), isotropic_footprint({0.4, 1.1}, 1), 0.02},
+      {"two texels a side", smooth(test::constant_map({0.1, 0.2}, Wrap::repeat, 2)), isotropic_footprint({0.4, 1.1}, 1),
+       0.02},
+      {"one texel", smooth(test::constant_map({0.1, 0.2}, Wrap::repeat, 1)), isotropic_footprint({0.4, 1.1}, 0.4), 0.02,
+       0.25, 1},
+      {"one column", smooth(test::wavy_map(1, 37, Wrap::repeat)), isotropic_footprint({0.4, 36.1}, 2), 0.02, 0.25, 1},
+      {"one row", smooth(test::wavy_map(37, 1, Wrap::repeat)), isotropic_footprint({0.4, 0.1}, 2), 0.02, 0.25, 1},
       {"long and turned", smooth(wavy), test::turned_footprint({40, 31}, 30, 0.3, 0.7), 0.01},
       {"long, across", smooth(wavy), test::turned_footprint({40, 31}, 0.2, 12, 0.1), 0.01},
       {"wide", smooth(test::wavy_map(320, 288, Wrap::repeat)), isotropic_footprint({40, 31}, 60), 0.005, 1},
@@ -116,7 +122,7 @@ TEST(MixtureQuery, WithoutPreparingIsThePreparedOne) {
   int asked = 0;
   for (const Case& c : cases()) {
     for (const double step : k_steps) {
-      if (step < c.least_step) continue;
+      if (step < c.least_step || step > c.most_step) continue;
       for (const MixtureElements kind : k_kinds) {
         const Both both(c, {step, std::nullopt, kind});
         const std::string what = c.what + ", h " + std::to_string(step) + ", kind " + std::to_string(int(kind));
@@ -222,6 +228,29 @@ TEST(MixtureQuery, PreparesWhereLatticeAndTexelsAreNotCommensurate) {
   double density = 0;
   pndf.evaluate({&s, 1}, {&density, 1});
   EXPECT_EQ(density, both.prepared.density(s));
+}
+
+TEST(MixtureQuery, OfMapsOneTexelWideAreThoseOfTheSameMapManyTimes) {
+  for (const Wrap wrap : {Wrap::repeat, Wrap::clamp}) {
+    for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(1, 37), glm::ivec2(37, 1)}) {
+      const glm::ivec2 times{size.x == 1 ? 64 : 1, size.y == 1 ? 64 : 1};
+      const auto thin = test::wavy_map(size.x, size.y, wrap);
+      const Surface wide(test::tiled(*thin, times.x, times.y), Interpolation::smooth);
+      const glm::dvec2 center{0.4, 0.8};
+      const glm::dvec2 inside = center + glm::dvec2((times - 1) / 2);
+      const MixturePndf model(Surface(thin, Interpolation::smooth), 0.02);
+      const MixturePndf expected(wide, 0.02);
+      PndfWorkspace workspace;
+      RandomStream random(3, 3);
+      const FootprintPndf& pndf = expected.at(isotropic_footprint(inside, 2), workspace);
+      for (int k = 0; k < 40; ++k) {
+        const glm::dvec2 s = pndf.sample(random);
+        const double density = pndf.pdf(s);
+        const std::string what = std::to_string(size.x) + " x " + std::to_string(size.y);
+        EXPECT_NEAR(test::density_of(model, isotropic_footprint(center, 2), s) / density, 1, 1e-3) << what;
+      }
+    }
+  }
 }
 
 TEST(MixtureQuery, PreparesWhereAFootprintLeavesAMapThatClamps) {
