@@ -223,7 +223,7 @@ PndfModelInfo AutoPndf::info() const {
   std::size_t bytes = lean_.info().bytes + exact_bytes_;
   for (const auto& mixture : mixtures_) bytes += mixture->info().bytes;
   return {"auto", surface_.interpolation(),
-          "within its tolerance by its own estimate; where that is not met it says so", lean_.info().bytes};
+          "within its tolerance by its own estimate; where that is not met it says so", bytes};
 }
 
 AutoChoice AutoPndf::choose(const Footprint& footprint, const JobControl& control) const {

@@ -68,7 +68,7 @@ class WindowImages {
   // Cells of one class are four apart; what is left over at a period's end has classes of its own.
   [[nodiscard]] std::int64_t class_of(std::int64_t k, int count) const {
     if (!lattice_.periodic) return wrapped(k, 4);
-    const std::int64_t whole = count / 4 * 4;
+    const std::int64_t whole = count - count % 4;
     return k < whole ? k % 4 : 4 + (k - whole);
   }
 

@@ -50,8 +50,8 @@ Texture disc_picture(const GlFunctions& gl, const DiscLook& look) {
       const float dark = 0.6F * (covered(look.radius + look.rim, distance) - disc);
       const float alpha = fill + dark;
       const float white = alpha > 0 ? fill / alpha : 1;
-      texels[at] = texels[at + 1] = texels[at + 2] = static_cast<std::uint8_t>(255 * white + 0.5F);
-      texels[at + 3] = static_cast<std::uint8_t>(255 * alpha + 0.5F);
+      texels[at] = texels[at + 1] = texels[at + 2] = static_cast<std::uint8_t>(std::lround(255 * white));
+      texels[at + 3] = static_cast<std::uint8_t>(std::lround(255 * alpha));
     }
   }
   return {gl, Texture::Format::rgba8, {side, side}, texels.data()};
@@ -63,7 +63,7 @@ std::array<ImU32, 256> inks() {
   const std::array<DisplayColor, 256> table = viridis_table();
   for (std::size_t k = 0; k < result.size(); ++k) {
     const double alpha = 0.15 + 0.85 * std::min(1.0, std::sqrt(static_cast<double>(k) / 64));
-    result[k] = IM_COL32(table[k].x, table[k].y, table[k].z, static_cast<int>(255 * alpha + 0.5));
+    result[k] = IM_COL32(table[k].x, table[k].y, table[k].z, static_cast<int>(std::lround(255 * alpha)));
   }
   return result;
 }
@@ -80,7 +80,7 @@ void ElementOverlay::draw(Ui& ui, ImDrawList& list, const MapCamera& camera, con
     disc_scale_ = ui.scale;
   }
   static const std::array<ImU32, 256> k_inks = inks();
-  const auto ink = [](float share) { return k_inks[static_cast<std::size_t>(255 * share + 0.5F)]; };
+  const auto ink = [](float share) { return k_inks[static_cast<std::size_t>(std::lround(255 * share))]; };
   const float edge = 0.5F * static_cast<float>(disc_.size().x) / painted;  // of the picture, in radii
   const double grain = static_cast<double>(ui.px(1)) / camera.pixels_per_texel;
   const std::size_t whole = shown.elements.size() - shown.parts.size();

@@ -45,7 +45,7 @@ std::string setting_text(const Document& document, const PndfResults* results, P
            (answer.empty() ? "" : ", " + answer);
   }
   if (method == PndfMethod::automatic) {
-    const std::string answer = answer_of(picture_of(results, method));
+    std::string answer = answer_of(picture_of(results, method));
     if (!answer.empty()) return answer;
     return "within " + short_number_text(100 * document.automatic.tolerance, 3) + " %";
   }
