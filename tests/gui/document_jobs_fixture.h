@@ -23,7 +23,7 @@ inline constexpr std::uint64_t k_endless_samples = 10'000'000'000;
 inline Document small_document() {
   Document document;
   document.surface.source = SurfaceSource::noise;
-  document.surface.noise.size = document.surface.scratches.size = 64;
+  document.surface.noise.size = document.surface.scratches.size = document.surface.flakes.size = 64;
   document.surface.noise.spectrum = NoiseSettings::Spectrum::gaussian;
   document.surface.interpolation = Interpolation::linear;  // whose reference is quick
   document.footprint = isotropic_footprint({32, 32}, 2);

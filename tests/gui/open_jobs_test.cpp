@@ -123,7 +123,7 @@ TEST_F(OpenJobsTest, APresetIsItsDocument) {
   ASSERT_TRUE(settle());
   Document preset = test::small_document();
   preset.name = "from a preset";
-  preset.surface.noise.seed = preset.surface.scratches.seed = 11;
+  preset.surface.noise.seed = preset.surface.scratches.seed = preset.surface.flakes.seed = 11;
   ASSERT_TRUE(save_preset(folder_ / "worn.json", preset));
   const std::optional<Opened> opened = open(folder_ / "worn.json");
   ASSERT_TRUE(opened);
