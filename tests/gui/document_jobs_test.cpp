@@ -85,6 +85,23 @@ TEST_F(DocumentJobsTest, FewCellsHaveNoCoarsePicture) {
   EXPECT_EQ(picture(1).image->density, own_picture(document_, PndfMethod::binning, surface()));
 }
 
+TEST_F(DocumentJobsTest, LooksWideFootprintsUpWhileTheyMoveAndNotWhereTheRoughnessChanged) {
+  Document document = small_document();
+  document.methods = {PndfMethod::mixture};
+  document.footprint = isotropic_footprint({32, 32}, 18);
+  document.grid.window = glm::dvec4(-0.6, 0.6, -0.6, 0.6);
+  document.grid.size = 16;
+  ASSERT_TRUE(show(document));
+  EXPECT_EQ(picture(0).image->answer.text, "") << "the direct method answers first";
+  document.footprint.center.x += 3;
+  ASSERT_TRUE(show(document));
+  EXPECT_EQ(picture(0).image->answer.text, "atlas");
+  EXPECT_LT(picture(0).errors->relative_l1, 0.01);
+  document.intrinsic_roughness = 0.04;
+  ASSERT_TRUE(show(document));
+  EXPECT_EQ(picture(0).image->answer.text, "");
+}
+
 TEST_F(DocumentJobsTest, ANewerRevisionSupersedesALongOne) {
   document_.binning_samples = k_endless_samples;
   ++revision_;
