@@ -21,8 +21,8 @@ namespace glint {
 /// r_i = |m_i - m|^2 + tr(S_i - B) <= |m_i - m|^2 + 3.42 e both fourth moments are at most 3 sum w_i r_i^2, and
 /// Lyapunov's inequality gives 1.15 (sum w_i r_i^2 / (1 - e)^2)^(3/4): of third order in the means' distances, where
 /// the difference of the entropies would give a bound of first order.
-/// It is one on elements that are not cut: a joint cut leaves out other tails of one Gaussian than of many, up to what it
-/// leaves out of all, exp(-R^2 / 2) (1 + R^2 / 2).
+/// It is one on elements that are not cut: a joint cut leaves out other tails of one Gaussian than of many, up to what
+/// it leaves out of all, exp(-R^2 / 2) (1 + R^2 / 2).
 class ElementMerger {
  public:
   static constexpr std::int64_t k_rows = 4;  ///< of seeds in a band
