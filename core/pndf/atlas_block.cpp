@@ -28,13 +28,12 @@ void to_halves(const float* from, float factor, std::uint16_t* to) {
   }
 }
 
-void add_runs(const AtlasBlock& block, float weight, int first, int last, WindowImage& image) {
+void add_runs(const AtlasBlock& block, float weight, WindowImage& image) {
   const Run d;
   const auto factor = hn::Set(d, weight * block.scale);
-  for (int r = first; r < last; ++r) {
-    float* row = image.density.data() + r * image.stride;
-    const std::size_t end = block.row_begin[static_cast<std::size_t>(r) + 1];
-    for (std::size_t run = block.row_begin[static_cast<std::size_t>(r)]; run < end; ++run) {
+  for (std::size_t r = 0; r + 1 < block.row_begin.size(); ++r) {
+    float* row = image.density.data() + static_cast<std::ptrdiff_t>(r) * image.stride;
+    for (std::size_t run = block.row_begin[r]; run < block.row_begin[r + 1]; ++run) {
       float* out = row + k_run * block.run[run];
       const auto* half = reinterpret_cast<const hwy::float16_t*>(block.half.data() + k_run * run);
       for (std::size_t k = 0; k < k_run; k += hn::Lanes(d)) {
@@ -78,8 +77,8 @@ AtlasBlock::AtlasBlock(const WindowImage& image, int rows, float factor) {
   half.shrink_to_fit();
 }
 
-void add_block(const AtlasBlock& block, float weight, int first, int last, WindowImage& image) {
-  HWY_DYNAMIC_DISPATCH(add_runs)(block, weight, first, last, image);
+void add_block(const AtlasBlock& block, float weight, WindowImage& image) {
+  HWY_DYNAMIC_DISPATCH(add_runs)(block, weight, image);
 }
 
 }  // namespace glint

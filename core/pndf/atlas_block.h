@@ -28,7 +28,7 @@ struct AtlasBlock {
   }
 };
 
-/// Adds weight * density of rows first … last - 1 to `image`.
-void add_block(const AtlasBlock& block, float weight, int first, int last, WindowImage& image);
+/// Adds weight * density to `image`.
+void add_block(const AtlasBlock& block, float weight, WindowImage& image);
 
 }  // namespace glint

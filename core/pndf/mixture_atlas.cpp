@@ -266,7 +266,7 @@ std::optional<PndfImage> MixtureAtlas::image(const Footprint& footprint) const {
   const std::vector<Part> found = parts(lattice, spline);
   if (found.empty()) return std::nullopt;
   WindowImage sum(grid_);
-  for (const Part& part : found) add_block(*part.block, static_cast<float>(part.weight), 0, grid_.rows, sum);
+  for (const Part& part : found) add_block(*part.block, static_cast<float>(part.weight), sum);
   PndfImage image;
   image.grid = grid_;
   image.widening = widening_for(grid_, intrinsic_roughness_);
